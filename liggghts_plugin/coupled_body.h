@@ -1,0 +1,26 @@
+/* What fix couple/foam needs of a rigid body that the fluid pushes.
+   A body fix derives from this besides Fix; couple/foam finds it by dynamic_cast over modify->fix[],
+   so neither knows the other's class. Cost: one record of 200 bytes per body and fluid step. */
+
+#ifndef FRAZIL_COUPLED_BODY_H
+#define FRAZIL_COUPLED_BODY_H
+
+#include "Messages.h"
+
+namespace LAMMPS_NS {
+
+class CoupledBody {
+ public:
+  virtual ~CoupledBody() {}
+
+  // state at the current DEM step; must be the same on all ranks
+  virtual frazil::BodyState bodyState() const = 0;
+
+  // force [N], torque about the centre of mass [N m] and wetted fraction, held until the next call;
+  // called with the same values on all ranks, once per fluid step
+  virtual void setFluidLoad(const frazil::BodyLoad &) = 0;
+};
+
+}
+
+#endif

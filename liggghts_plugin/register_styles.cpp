@@ -1,0 +1,111 @@
+/* The tables of styles are private members of Modify and Input. The arguments of an explicit template
+   instantiation are exempt from access control [temp.spec], so a friend function defined by that
+   instantiation may return the pointer to the private member: no header is edited, no layout is guessed. */
+
+#include "register_styles.h"
+
+#include <map>
+#include <string>
+
+#include "compute.h"
+#include "fix.h"
+#include "input.h"
+#include "modify.h"
+
+#if __has_include("fix_couple_foam.h")
+#include "fix_couple_foam.h"
+#endif
+#if __has_include("fix_bond_parallel.h")
+#include "fix_bond_parallel.h"
+#endif
+#if __has_include("fix_body_rigid.h")
+#include "fix_body_rigid.h"
+#endif
+#if __has_include("compute_fragment.h")
+#include "compute_fragment.h"
+#endif
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+typedef Fix *(*FixCreator)(LAMMPS *, int, char **);
+typedef Compute *(*ComputeCreator)(LAMMPS *, int, int, char **);
+typedef void (*CommandCreator)(LAMMPS *, int, char **);
+
+template <class Tag, typename Tag::Member member> struct Reach {
+  friend typename Tag::Member memberOf(Tag) { return member; }
+};
+
+struct FixMap {
+  typedef std::map<std::string, FixCreator> *Modify::*Member;
+  friend Member memberOf(FixMap);
+};
+struct ComputeMap {
+  typedef std::map<std::string, ComputeCreator> *Modify::*Member;
+  friend Member memberOf(ComputeMap);
+};
+struct CommandMap {
+  typedef std::map<std::string, CommandCreator> *Input::*Member;
+  friend Member memberOf(CommandMap);
+};
+
+template struct Reach<FixMap, &Modify::fix_map>;
+template struct Reach<ComputeMap, &Modify::compute_map>;
+template struct Reach<CommandMap, &Input::command_map>;
+
+template <class T> Fix *newFix(LAMMPS *lmp, int narg, char **arg) { return new T(lmp, narg, arg); }
+
+template <class T> Compute *newCompute(LAMMPS *lmp, int iarg, int narg, char **arg)
+{
+  return new T(lmp, iarg, narg, arg);
+}
+
+/* The list of our styles, one line each. */
+void addStyles(LAMMPS *lmp)
+{
+  std::map<std::string, FixCreator> &fixes = *(lmp->modify->*memberOf(FixMap()));
+  std::map<std::string, ComputeCreator> &computes = *(lmp->modify->*memberOf(ComputeMap()));
+
+#if __has_include("fix_couple_foam.h")
+  fixes["couple/foam"] = &newFix<FixCoupleFoam>;
+#endif
+#if __has_include("fix_bond_parallel.h")
+  fixes["bond/parallel"] = &newFix<FixBondParallel>;
+#endif
+#if __has_include("fix_body_rigid.h")
+  fixes["body/rigid"] = &newFix<FixBodyRigid>;
+#endif
+#if __has_include("compute_fragment.h")
+  computes["fragment"] = &newCompute<ComputeFragment>;
+#endif
+}
+
+/* No fix or compute can be created before the simulation box, and `clear` deletes the box together with
+   the tables. So the commands that create a box are the ones to renew the tables. */
+enum BoxCommand { CREATE_BOX, READ_DATA, READ_RESTART, BOX_COMMANDS };
+const char *const boxCommandName[BOX_COMMANDS] = {"create_box", "read_data", "read_restart"};
+CommandCreator stockCommand[BOX_COMMANDS];
+
+template <int command> void addStylesThenRun(LAMMPS *lmp, int narg, char **arg)
+{
+  addStyles(lmp);
+  stockCommand[command](lmp, narg, arg);
+}
+
+template <int command> void wrap(std::map<std::string, CommandCreator> &commands)
+{
+  CommandCreator &entry = commands[boxCommandName[command]];
+  stockCommand[command] = entry;
+  entry = &addStylesThenRun<command>;
+}
+
+}
+
+void frazil::registerStyles(LAMMPS *lmp)
+{
+  std::map<std::string, CommandCreator> &commands = *(lmp->input->*memberOf(CommandMap()));
+  wrap<CREATE_BOX>(commands);
+  wrap<READ_DATA>(commands);
+  wrap<READ_RESTART>(commands);
+}
