@@ -1,0 +1,80 @@
+/// One exchange between particles and fluid, the algorithm on one page: see advance() in CouplingStep.cpp.
+///
+///   spread     particles -> coarse grid: solid volume and impulse (trilinear, weights sum to one)
+///   restrict   fine mesh -> coarse grid: fluid averages (2.24)
+///   forces     gather the coarse fluid at each particle, force laws -> replies
+///   prolong    coarse grid -> fine mesh: solid fraction and reaction force, conservative per coarse cell
+///
+/// Momentum: the particles report the drag and added-mass impulse that they really received since the last exchange;
+/// the fluid gets exactly the opposite during its next step, one step late, with no estimate (physics: model A,
+/// S = -Σ (fd + fa)/V).
+/// Cost: O(particles x 8 + fine cells), four small halo exchanges and one Allreduce of a few numbers. Buffers only grow.
+/// Parallel: one object per fluid rank, every call is collective over the communicator. For one number of ranks the
+/// result does not depend on how the particles came in; between numbers of ranks it differs by round-off only.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <mpi.h>
+
+#include "CoarseField.h"
+#include "CoarseGrid.h"
+#include "Interaction.h"
+#include "Ledger.h"
+#include "LocalFlow.h"
+#include "Overlap.h"
+#include "ParticleView.h"
+#include "PhaseTimer.h"
+#include "Restriction.h"
+#include "Settings.h"
+
+namespace frazil {
+
+/// Output of the coupling on the fine mesh, one entry per fine cell of this rank.
+struct FineSource {
+    std::vector<double> solidFraction; ///< αs [-], of the volume that is open to fluid: αf = 1 - αs
+    std::vector<Vec3> force;           ///< on the fluid [N]; divide by the cell's volume for S [N/m3]
+};
+
+class CouplingStep
+{
+  public:
+    /// Reads `dualGrid`, `kernel`, `prolongation`, `voidFraction`, `forces` and `momentumExchange` from the settings.
+    /// @param comm  the fluid ranks; rank r owns the blocks of owner r of the grid
+    CouplingStep(const Settings& settings, const CoarseGrid& grid, const Phase& water, const Phase& air, MPI_Comm comm);
+    ~CouplingStep();
+    CouplingStep(const CouplingStep&) = delete;
+    CouplingStep& operator=(const CouplingStep&) = delete;
+
+    /// Is `dualGrid` on? If not, setLocator is needed in the place of setParts.
+    bool dualGrid() const;
+    /// The pieces of this rank's fine cells (Overlap.h). Call at the start and whenever the mesh changes.
+    void setParts(const std::vector<FinePiece>& pieces);
+    /// For `dualGrid off`: index of this rank's fine cell that holds a point, -1 if none does.
+    void setLocator(std::function<int(const Vec3&)> fineCellAt);
+
+    /// One exchange.
+    /// @param particles  those whose centre lies in a coarse cell owned by this rank, sorted by id
+    /// @param deltaT     the step that both programs are about to take [s]
+    /// @param replies    out: one Interaction per particle, same order
+    /// @param source     out: αs and force for the coming step
+    Ledger advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
+                   std::vector<Interaction>& replies, FineSource& source);
+
+    // Coarse fields of the last advance(), for output; the first ownedCount() entries are this rank's own cells.
+    const LocalCells& cells() const;
+    const CoarseField<double>& solidVolume() const;  ///< Σ V_p in the cell, what was clipped excluded [m3]
+    const CoarseField<CoarseFluid>& fluid() const;   ///< averages of the fluid
+    const CoarseField<Vec3>& impulse() const;        ///< on the particles, to be given to the fluid [N s]
+    const PhaseTimer& timer() const;
+
+  private:
+    struct Scheme;
+    struct DualGridScheme;
+    struct DirectScheme;
+    std::unique_ptr<Scheme> scheme_;
+};
+
+} // namespace frazil

@@ -1,0 +1,41 @@
+/// What each grid holds of solid volume and of exchanged momentum after one step, and by how much they differ.
+/// Sums over all fluid ranks, equal on every rank.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "Vec3.h"
+
+namespace frazil {
+
+struct Ledger {
+    // Solid volume [m3]: particles = coarse, coarse = fine + clipped.
+    double particleVolume = 0; ///< Σ V_p
+    double coarseVolume = 0;   ///< Σ over the coarse cells
+    double fineVolume = 0;     ///< Σ αs (1-γ) V over the fine mesh
+    double clippedVolume = 0;  ///< did not fit below 1 - voidFraction.min
+
+    // Impulse of drag and added mass [N s]: received + carriedIn = coarse, coarse = given + unplaced.
+    Vec3 received;             ///< by the particles, since the last exchange
+    Vec3 carriedIn;            ///< left over from the step before
+    Vec3 coarseImpulse;        ///< on the coarse grid after projection, carriedIn included
+    Vec3 given;                ///< to the fine mesh in the coming step, sign of the particles' (force on fluid = -given/Δt)
+    Vec3 unplaced;             ///< in coarse cells without fluid, tried again next step
+    double impulseScale = 0;   ///< Σ |impulse_p| + Σ |carried|, what the errors are relative to
+
+    std::int64_t particles = 0;
+    std::int64_t dryParticles = 0;  ///< with no fluid in their whole stencil: they feel nothing
+    std::int64_t clippedCells = 0;  ///< coarse cells with clipped volume
+
+    double volumeErrorCoarse() const;   ///< |coarse - particles| / particles
+    double volumeErrorFine() const;     ///< |fine + clipped - coarse| / particles
+    double impulseErrorCoarse() const;  ///< |coarse - received - carriedIn| / scale
+    double impulseErrorFine() const;    ///< |given + unplaced - coarse| / scale
+
+    /// Header and line of ledger.csv, without line end.
+    static std::string csvHeader();
+    std::string csvLine(double time) const;
+};
+
+} // namespace frazil
