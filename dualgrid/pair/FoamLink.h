@@ -1,0 +1,54 @@
+/// frazilFoam's end of the pair; see DemLink.h for the order of the calls and the algorithm. Mirror image:
+///
+///     report = swap(order)
+///     receiveParticles, receiveBodies
+///     sendReplies, sendBodyLoads
+#pragma once
+
+#include <vector>
+
+#include "Hello.h"
+#include "Link.h"
+#include "Messages.h"
+#include "ParticleInbox.h"
+
+namespace frazil {
+
+class FoamLink : public Link
+{
+  public:
+    /// Throws InputError naming the mpirun command if there is no partner.
+    FoamLink();
+
+    /// `ranks` is filled in here. Only rank 0's hello counts. Throws InputError on a mismatch, same text as the partner.
+    DemHello handshake(FoamHello mine);
+    /// Only rank 0's order counts.
+    StepReport swap(const StepOrder& order);
+    /// The particles whose coarse cell this rank owns, sorted by id; valid until the next call.
+    const ParticleInbox& receiveParticles();
+    std::vector<BodyState> receiveBodies();
+    /// One reply per particle of the inbox, in its order.
+    void sendReplies(const std::vector<ParticleReply>& replies);
+    /// Only rank 0's loads count (summed over the fluid ranks).
+    void sendBodyLoads(const std::vector<BodyLoad>& loads);
+    /// Ends the coupling unless it has ended: waits for the partner's next swap and tells it. Then goodbye.
+    void finish(double time = 0);
+
+  private:
+    struct Sender {
+        int rank;           ///< in World::all()
+        std::size_t first;  ///< place of its first record
+        std::size_t count;
+    };
+    void receiveFrom(const MPI_Status& status);
+    void sortSenders();
+
+    ParticleInbox inbox_;
+    std::vector<Sender> senders_;
+    std::vector<ParticleRecord> records_;
+    std::vector<ParticleReply> outgoing_;
+    std::vector<MPI_Request> requests_;
+    int parity_ = 0;
+};
+
+} // namespace frazil

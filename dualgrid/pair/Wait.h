@@ -1,0 +1,36 @@
+/// Waiting for the partner: never blind, never burning a core.
+///
+/// Open MPI's blocking calls spin, which starves the partner when both share a core, and they say nothing when the
+/// partner is stuck. Here a wait is a loop of MPI_Test with a back-off from yielding to sleeps of at most 0.2 ms, and
+/// a watchdog that ends the pair with the words "<who> waits for <what>" after the set time.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <mpi.h>
+
+namespace frazil {
+
+class Patience
+{
+  public:
+    /// Longest time to wait for the partner [s].
+    void setLimit(double seconds) { limit_ = seconds; }
+    double limit() const { return limit_; }
+
+    /// Returns when done() does. `what` completes the sentence "frazilDem waits for ...".
+    void until(const char* what, const std::function<bool()>& done);
+    void forRequest(const char* what, MPI_Request& request, MPI_Status* status = MPI_STATUS_IGNORE);
+
+    /// Time spent in all waits [s].
+    double waited() const { return waited_; }
+
+  private:
+    [[noreturn]] void giveUp(const char* what) const;
+
+    double limit_ = 600;
+    double waited_ = 0;
+};
+
+} // namespace frazil
