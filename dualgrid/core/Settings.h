@@ -61,7 +61,7 @@ class Settings
     const std::string& require(const std::string& key) const;
     [[noreturn]] void unknown(const std::string& key) const;
     std::string pathOf(const std::string& key) const;
-    const std::string& learn(const std::string& key) const;
+    void learn(const std::string& key) const;
 
     std::string file_, path_;
     std::map<std::string, std::string> values_;
