@@ -52,7 +52,7 @@ struct CoarseFluid {
 
 /// Adds this rank's parts to the sums (the field is reset first).
 void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells& cells, CoarseField<CoarseFluid>& sums);
-/// Turns the complete sums of one cell into averages.
-void finishAverages(CoarseFluid& cell);
+/// Turns the complete sums of one coarse cell of `cellVolume` [m3] into averages; all zero if there is no fluid in it.
+void finishAverages(CoarseFluid& cell, double cellVolume);
 
 } // namespace frazil

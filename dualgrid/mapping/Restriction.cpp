@@ -1,0 +1,41 @@
+#include "Restriction.h"
+
+namespace frazil {
+
+void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells& cells, CoarseField<CoarseFluid>& sums)
+{
+    sums.reset(cells);
+    for (int row = 0; row < parts.rows(); ++row) {
+        CoarseFluid& sum = sums[parts.coarseCell(row)];
+        for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part) {
+            const int f = part->fineCell;
+            const double w = flow.fluidFraction[f] * part->volume;
+            sum.openVolume += flow.open(f) * part->volume;
+            sum.fluidVolume += w;
+            sum.fluidMass += flow.density[f] * w;
+            sum.wetFraction += flow.wetFraction[f] * w;
+            sum.velocity += w * flow.velocity[f];
+            sum.pressureGradient += w * flow.pressureGradient[f];
+            sum.viscousForce += w * flow.viscousForce[f];
+            sum.acceleration += w * flow.acceleration[f];
+            sum.vorticity += w * flow.vorticity[f];
+        }
+    }
+}
+
+void finishAverages(CoarseFluid& cell, double cellVolume)
+{
+    // Less than this share of the cell is round-off of the cutting, not fluid.
+    if (!(cell.fluidVolume > 1e-12 * cellVolume)) {
+        cell = CoarseFluid{};
+        return;
+    }
+    const double scale = 1 / cell.fluidVolume;
+    cell.wetFraction *= scale;
+    for (Vec3* average : {&cell.velocity, &cell.pressureGradient, &cell.viscousForce, &cell.acceleration,
+                          &cell.vorticity}) {
+        *average *= scale;
+    }
+}
+
+} // namespace frazil
