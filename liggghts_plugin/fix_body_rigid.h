@@ -1,0 +1,76 @@
+/* fix ID all body/rigid: a closed surface mesh that moves as a rigid body with six degrees of freedom under
+   contact with particles, gravity and the load of the fluid.
+
+   Equations and integration: rigid_motion.h. Order within one DEM step:
+     initial_integrate  half kick with the old forces; pose advances; mesh nodes, node velocities "v" (those of the
+                        half step, as the particles') and the torque's reference point follow
+     pre_force          the mesh zeroes its force (stock)
+     post_force         fix wall/gran adds particle contacts to the mesh (stock)
+     final_integrate    the mesh sums force and torque over the ranks (stock), then second half kick
+     end_of_step        fix couple/foam reads the state and renews the fluid load
+   So this fix must come after its mesh fix, and its results hold at the end of the step.
+   Cost: one pass over the local triangles per step. Parallel: all ranks integrate the same numbers; the only
+   communication is the mesh's own sum, and one sum of six numbers after each set-up. */
+
+#ifndef LMP_FIX_BODY_RIGID_H
+#define LMP_FIX_BODY_RIGID_H
+
+#include <string>
+
+#include "ClosedSurface.h"
+#include "coupled_body.h"
+#include "fix.h"
+#include "rigid_motion.h"
+
+namespace LAMMPS_NS {
+
+class FixBodyRigid : public Fix, public CoupledBody {
+ public:
+  FixBodyRigid(class LAMMPS *, int, char **);
+  ~FixBodyRigid() override;
+
+  int setmask() override;
+  void post_create() override;
+  void pre_delete(bool unfixflag) override;
+  void init() override;
+  void setup_pre_force(int) override;
+  void initial_integrate(int) override;
+  void final_integrate() override;
+
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  frazil::BodyState bodyState() const override;
+  void setFluidLoad(const frazil::BodyLoad &) override;
+
+ private:
+  struct Options;
+
+  void fail(const std::string &problem);
+  void findMesh(const std::string &meshId);
+  void setMass(const Options &);
+  std::vector<frazil::Triangle> triangles();
+  void moveMesh(const frazil::RigidMotion::Step &);
+  void setNodeVelocities();
+  void setReferencePoint();
+  void takeContactForce(bool sumOverRanks);
+  void kick(double dt);
+
+  std::string meshId_;
+  class FixMeshSurface *fixMesh_;
+  class TriMesh *mesh_;
+  class MeshModuleStress *stress_;
+  class FixGravity *gravity_;
+
+  frazil::RigidMotion motion_;
+  frazil::Vec3 centroidOffset_;  // centroid of the surface minus centre of mass, orientation of the start [m]
+  double volume_;                // of the surface [m3]
+  frazil::Vec3 contactForce_, contactTorque_;
+  frazil::BodyLoad fluid_;
+  bool contactIsLocal_;          // set-up computed the contacts, but nobody has summed them over the ranks yet
+};
+
+}
+
+#endif
