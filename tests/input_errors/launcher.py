@@ -1,0 +1,133 @@
+"""What the launcher says to wrong input and to failing programs. The pair is played by two shell scripts here."""
+
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import frazil_launcher
+
+launcher = frazil_launcher.load()
+
+PREPARE = """import pathlib, sys
+system = pathlib.Path(sys.argv[1], "foam/system")
+system.mkdir(parents=True)
+(system / "controlDict").write_text("endTime 1;\\n")
+"""
+CASE = {"title": "t", "levels": {"demo": {"speed": 1.5, "name": "a"}}, "np": {"dem": 1, "foam": 1}}
+
+
+class Launcher(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.case = self.folder / "toy"
+        self.case.mkdir()
+        (self.case / "case.json").write_text(json.dumps(CASE))
+        (self.case / "prepare").write_text(PREPARE)
+        launcher.BUILD = self.folder / "build"
+        (launcher.BUILD / "bin").mkdir(parents=True)
+
+    def arguments(self, *words):
+        return launcher.parser().parse_args(["run", str(self.case), "--out", str(self.folder / "out"), *words])
+
+    def program(self, name, script):
+        path = launcher.BUILD / "bin" / name
+        path.write_text(f"#!/bin/sh\n{script}\n")
+        path.chmod(0o755)
+
+    def run_pair(self, dem, foam):
+        """Plays a run with these scripts as the two programs; returns what the launcher says and the seconds it took."""
+        for name, script in (("blockMesh", ":"), ("frazilDem", dem), ("frazilFoam", foam)):
+            self.program(name, script)
+        run = launcher.plan(self.arguments())
+        launcher.prepare(run)
+        start = time.monotonic()
+        try:
+            launcher.watch(run)
+        except launcher.Failure as failure:
+            return str(failure), time.monotonic() - start
+        return "", time.monotonic() - start
+
+    def refuses(self, words, *texts):
+        with self.assertRaises(launcher.Failure) as caught:
+            launcher.plan(self.arguments(*words))
+        for text in texts:
+            self.assertIn(text, str(caught.exception))
+
+    def test_unknown_parameter(self):
+        self.refuses(["--set", "sped=2"], "--set sped=2", "Did you mean speed?", "Known: name, speed.")
+
+    def test_value_of_another_kind(self):
+        self.refuses(["--set", "speed=fast"], "speed is like 1.5")
+
+    def test_unknown_level(self):
+        self.refuses(["--level", "demi"], "toy has no level demi. Did you mean demo?")
+
+    def test_unknown_case(self):
+        with self.assertRaisesRegex(launcher.Failure, "there is no case ice_enrty"):
+            launcher.find_case("ice_enrty")
+
+    def test_folder_in_use(self):
+        (self.folder / "out").mkdir()
+        (self.folder / "out/history.csv").touch()
+        self.refuses([], "holds something already")
+
+    def test_runs_are_numbered(self):
+        (self.folder / "toy-demo").mkdir()
+        self.assertEqual(launcher.free_folder(self.folder / "toy-demo").name, "toy-demo-2")
+
+    def test_parameters_are_set(self):
+        self.assertEqual(launcher.plan(self.arguments("--set", "speed=2")).params, {"speed": 2, "name": "a"})
+
+    def test_decomposition_cuts_the_horizontal_axes(self):
+        self.assertIn("n (3 1 2)", launcher.decomposition(6))
+        self.assertIn("n (5 1 1)", launcher.decomposition(5))
+
+    def test_a_good_pair(self):
+        self.assertEqual(self.run_pair("exit 0", "exit 0")[0], "")
+
+    def test_killed_particles(self):
+        text, seconds = self.run_pair("sleep 0.5; kill -9 $$", "sleep 60")
+        self.assertIn("frazilDem was killed (signal 9)", text)
+        self.assertLess(seconds, 20)
+
+    def test_killed_fluid(self):
+        text, seconds = self.run_pair("sleep 60", "sleep 0.5; kill -9 $$")
+        self.assertIn("frazilFoam was killed (signal 9)", text)
+        self.assertLess(seconds, 20)
+
+    def test_failing_fluid_shows_its_error(self):
+        text, _ = self.run_pair("sleep 60", "echo '--> FOAM FATAL ERROR: no such patch'; exit 1")
+        self.assertIn("FOAM FATAL ERROR: no such patch", text)
+        self.assertIn("frazilFoam ended with exit code 1", text)
+
+    def test_interrupt_lets_the_particles_end_the_run(self):
+        """Ctrl-C: frazilDem gets SIGTERM and ends the pair; mpirun is not killed over it."""
+        end = self.folder / "end"
+        dem = f"trap 'touch {end}; exit 0' TERM; touch {end}.started; while :; do sleep 0.1; done"
+        timer = threading.Thread(target=self.interrupt_when_there, args=(Path(f"{end}.started"),))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            self.run_pair(dem, f"while [ ! -e {end} ]; do sleep 0.1; done")
+        timer.join()
+        self.assertTrue(end.exists())
+
+    @staticmethod
+    def interrupt_when_there(path):
+        while not path.exists():
+            time.sleep(0.1)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    def test_command_line_of_every_word(self):
+        shown = subprocess.run([frazil_launcher.TOP / "frazil", "--help"], capture_output=True, text=True, check=True).stdout
+        for word in ("setup", "exec", "run", "test"):
+            self.assertIn(word, shown)
+
+
+if __name__ == "__main__":
+    unittest.main()
