@@ -240,12 +240,12 @@ def locks(program):
 
 def restart(program):
     cuboid("body.stl", (0.1, 0.1, 0.1))
-    whole = Run(program, impact_script().replace("run 6000", "run 80\nwrite_restart half.restart\nrun 2920"))
+    whole = Run(program, impact_script().replace("run 6000", "run 570\nwrite_restart half.restart\nrun 2430"))
     second = HEAD.format(dt=1e-5, restitution=0.9).replace("create_box 1 domain", "read_restart half.restart")
     second = "\n".join(line for line in second.splitlines() if not line.startswith(("region", "boundary", "atom_style")))
     second += (BODY.format(stl="body.stl") + "fix integrate all nve/sphere\n"
                "fix body all body/rigid mesh hull density 2700 velocity 0 0 0\n" +
-               OUTPUT.format(body=VECTOR, every=200, extra="v_px v_py v_pz") + "run 2920\n")
+               OUTPUT.format(body=VECTOR, every=200, extra="v_px v_py v_pz") + "run 2430\n")
     rows = Run(program, second).rows
     ok = check("a contact is open at the restart (1 N over its force)", 1 / math.hypot(*body(rows[0])["contact"]), 1)
     return ok & check("state after the restart", max(abs(a - b) for a, b in zip(rows[-1][2:15], whole.rows[-1][2:15])), 1e-9)
