@@ -48,7 +48,7 @@ class Launcher(unittest.TestCase):
         launcher.prepare(run)
         start = time.monotonic()
         try:
-            launcher.watch(run)
+            launcher.watch(run, launcher.start_pair(run))
         except launcher.Failure as failure:
             return str(failure), time.monotonic() - start
         return "", time.monotonic() - start
