@@ -19,6 +19,8 @@ system = pathlib.Path(sys.argv[1], "foam/system")
 system.mkdir(parents=True)
 (system / "controlDict").write_text("endTime 1;\\n")
 """
+HISTORY = """printf 'time,x,y,z,vx,vy,vz,fcy,ffy,broken_tension,broken_shear\\n0,0,0,0,0,-3,0,1,2,0,0\\n' >history.csv
+printf '0.5,0,-1,0,0,-2,0,1,2,3,4\\n' >>history.csv"""
 CASE = {"title": "t", "levels": {"demo": {"speed": 1.5, "name": "a"}}, "np": {"dem": 1, "foam": 1}}
 
 
@@ -41,7 +43,7 @@ class Launcher(unittest.TestCase):
         path.chmod(0o755)
 
     def run_pair(self, dem, foam):
-        """Plays a run with these scripts as the two programs; returns what the launcher says and the seconds it took."""
+        """Plays a run with these scripts as the two programs: what the launcher says, and the seconds it took."""
         for name, script in (("blockMesh", ":"), ("frazilDem", dem), ("frazilFoam", foam)):
             self.program(name, script)
         run = launcher.plan(self.arguments())
@@ -91,6 +93,17 @@ class Launcher(unittest.TestCase):
     def test_a_good_pair(self):
         self.assertEqual(self.run_pair("exit 0", "exit 0")[0], "")
 
+    def test_results_of_a_run(self):
+        """A whole `run`: metrics, curves, the table, and the case's check as exit status."""
+        (self.case / "check").write_text("import sys; print('checked', sys.argv[1]); sys.exit(3)\n")
+        for name, script in (("blockMesh", ":"), ("frazilDem", HISTORY), ("frazilFoam", ":")):
+            self.program(name, script)
+        launcher.setup = lambda: 0
+        self.assertEqual(launcher.run_case(self.arguments()), 3)
+        metrics = json.loads((self.folder / "out/metrics.json").read_text())
+        self.assertEqual((metrics["fluid_steps"], metrics["last"]["broken_shear"]), (2, 4))
+        self.assertTrue((self.folder / "out/summary.png").stat().st_size > 1000)
+
     def test_killed_particles(self):
         text, seconds = self.run_pair("sleep 0.5; kill -9 $$", "sleep 60")
         self.assertIn("frazilDem was killed (signal 9)", text)
@@ -124,7 +137,8 @@ class Launcher(unittest.TestCase):
         os.kill(os.getpid(), signal.SIGINT)
 
     def test_command_line_of_every_word(self):
-        shown = subprocess.run([frazil_launcher.TOP / "frazil", "--help"], capture_output=True, text=True, check=True).stdout
+        command = [frazil_launcher.TOP / "frazil", "--help"]
+        shown = subprocess.run(command, capture_output=True, text=True, check=True).stdout
         for word in ("setup", "exec", "run", "test"):
             self.assertIn(word, shown)
 
