@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "CoarseGrid.h"
-#include "Hello.h"
 #include "Link.h"
 #include "Messages.h"
 
@@ -26,30 +25,35 @@ class DemLink : public Link
     /// Throws InputError naming the mpirun command if there is no partner.
     DemLink();
 
-    /// Throws InputError with both values and the cure if the two do not fit together. Only rank 0's hello counts.
+    /// Throws std::runtime_error with both values and the cure if the two do not fit. Only rank 0's hello counts.
     FoamHello handshake(const DemHello& mine);
     /// Only rank 0's report counts. After an order or a report with `finish`, the link is finished().
     StepOrder swap(const StepReport& report);
-    /// Throws InputError naming the particle that is outside of the grid.
+    /// Throws InputError naming the particle that is outside of the grid (on the rank that holds it only).
     void sendParticles(const std::vector<ParticleRecord>& records, const CoarseGrid& grid);
     /// Only rank 0's states count.
-    void sendBodies(const std::vector<BodyState>& bodies);
+    void sendBodies(const std::vector<BodyState>& bodies) { sendList(bodyTag, bodies); }
     /// One reply per record of the last sendParticles, in its order.
     void receiveReplies(std::vector<ParticleReply>& replies);
+    /// In the order of the states sent last.
     std::vector<BodyLoad> receiveBodyLoads();
     /// Ends the coupling unless it has ended: waits for the partner's next swap and tells it. Then goodbye.
-    void finish(double time = 0);
+    /// @param time  DEM time [s]
+    void finish(double time);
 
   private:
-    void sortByOwner(const std::vector<ParticleRecord>& records, const CoarseGrid& grid);
-    void postParticles();
+    void findOwners(const std::vector<ParticleRecord>& records, const CoarseGrid& grid);
+    void packByOwner(const std::vector<ParticleRecord>& records);
+    void expectReplies();
+    void deliver();
+    std::size_t countFor(int owner) const { return first_[owner + 1] - first_[owner]; }
 
-    std::vector<int> owner_;             ///< per record
-    std::vector<std::size_t> first_;     ///< per owner: first place in outgoing_
-    std::vector<std::size_t> place_;     ///< per record: place in outgoing_
+    std::vector<int> owner_;            ///< per record
+    std::vector<std::size_t> first_;    ///< per owner: its first place in outgoing_; one more at the end
+    std::vector<std::size_t> place_;    ///< per record: its place in outgoing_ and incoming_
     std::vector<ParticleRecord> outgoing_;
     std::vector<ParticleReply> incoming_;
-    std::vector<MPI_Request> requests_;
+    std::vector<MPI_Request> sends_, replies_;
     int parity_ = 0;
 };
 

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <mpi.h>
@@ -51,9 +52,11 @@ class ExchangePlan
 
     void listGhosts(const std::vector<std::int64_t>& ghosts, const std::function<int(std::int64_t)>& ownerOf);
     void askOwners(const std::vector<std::int64_t>& owned, const std::vector<std::int64_t>& ghosts);
+    void listHolders(const std::vector<std::int64_t>& owned,
+                     std::vector<std::pair<int, std::vector<std::int64_t>>>& asked);
     void update(double* values, int width);
     void accumulate(double* values, int width);
-    void transfer(const std::vector<Neighbour>& from, const std::vector<Neighbour>& to, int width);
+    void transfer(const std::vector<Neighbour>& to, const std::vector<Neighbour>& from, int width);
 
     MPI_Comm comm_;
     int ownedCount_;

@@ -7,7 +7,6 @@
 
 #include <vector>
 
-#include "Hello.h"
 #include "Link.h"
 #include "Messages.h"
 #include "ParticleInbox.h"
@@ -20,19 +19,20 @@ class FoamLink : public Link
     /// Throws InputError naming the mpirun command if there is no partner.
     FoamLink();
 
-    /// `ranks` is filled in here. Only rank 0's hello counts. Throws InputError on a mismatch, same text as the partner.
+    /// `ranks` is filled in here. Only rank 0's hello counts. Throws on a mismatch, same text as the partner.
     DemHello handshake(FoamHello mine);
-    /// Only rank 0's order counts.
+    /// Only rank 0's order counts. After an order or a report with `finish`, the link is finished().
     StepReport swap(const StepOrder& order);
     /// The particles whose coarse cell this rank owns, sorted by id; valid until the next call.
     const ParticleInbox& receiveParticles();
     std::vector<BodyState> receiveBodies();
     /// One reply per particle of the inbox, in its order.
     void sendReplies(const std::vector<ParticleReply>& replies);
-    /// Only rank 0's loads count (summed over the fluid ranks).
-    void sendBodyLoads(const std::vector<BodyLoad>& loads);
+    /// In the order of the states received last. Only rank 0's loads count (so sum them over the fluid ranks).
+    void sendBodyLoads(const std::vector<BodyLoad>& loads) { sendList(loadTag, loads); }
     /// Ends the coupling unless it has ended: waits for the partner's next swap and tells it. Then goodbye.
-    void finish(double time = 0);
+    /// @param time  fluid time [s]
+    void finish(double time);
 
   private:
     struct Sender {
@@ -40,8 +40,7 @@ class FoamLink : public Link
         std::size_t first;  ///< place of its first record
         std::size_t count;
     };
-    void receiveFrom(const MPI_Status& status);
-    void sortSenders();
+    bool receiveOne(int tag);
 
     ParticleInbox inbox_;
     std::vector<Sender> senders_;

@@ -2,7 +2,8 @@
 ///
 ///     mpirun -np 2 frazilDem ... : -np 4 frazilFoam ...
 ///
-/// MPI_COMM_WORLD then holds six ranks and MPI_APPNUM tells the programs apart. `own` is this program's part; the shim
+/// MPI_COMM_WORLD then holds six ranks. `own` is this program's part, split by what each process declared itself to be
+/// (so a program may appear in several parts of the command line, as on machines with unlike nodes); the shim
 /// (WorldShim.cpp) shows it to the host's libraries as if it were the world, because LIGGGHTS's timing, VTK and
 /// OpenFOAM v1912 know nothing else. A program that runs alone gets own = world and nothing is changed.
 ///
@@ -38,6 +39,9 @@ class World
     static bool startedByMpirun();
     /// Only once MPI has been initialised.
     static World& instance();
+    static bool started();
+    /// Splits the world; called by the shim's MPI_Init and MPI_Init_thread.
+    static void split();
 
     Side side() const { return side_; }
     /// Are there two programs?
@@ -55,24 +59,28 @@ class World
     /// Where the coupling stands, for messages: "fluid time 0.0013 s, step 27".
     void setPosition(const std::string& position) { position_ = position; }
     const std::string& position() const { return position_; }
+    /// A link exists: leaving now is a failure of a running coupling, not of a program that never coupled.
+    void noteLink() { linked_ = true; }
     /// From now on leaving is no failure: both sides have agreed on the end (the links call it).
     void sayGoodbye() { goodbye_ = true; }
     bool saidGoodbye() const { return goodbye_; }
     /// Prints "<program> failed ...: <reason>", tells the partner, aborts both programs. Any rank may call it.
     [[noreturn]] void fail(const std::string& reason);
+    /// Fails if this program is part of a running coupling; else returns.
+    void leaving(const std::string& how);
     /// Has the partner told us that it failed? Then prints its reason and ends this program too.
     void watchForFailure();
 
   private:
-    friend class WorldSetUp;
     World() = default;
+    void readSizes();
     void tellPartner(const std::string& words);
     [[noreturn]] void endAfterPartner(const std::string& words);
 
     Side side_ = Side::dem;
-    bool coupled_ = false, goodbye_ = false, failing_ = false;
+    bool coupled_ = false, linked_ = false, goodbye_ = false, failing_ = false;
     MPI_Comm own_ = MPI_COMM_NULL, all_ = MPI_COMM_NULL;
-    int ownRank_ = 0, ownSize_ = 1, ownFirst_ = 0;
+    int ownRank_ = 0, ownSize_ = 1;
     int partnerSize_ = 0, partnerFirst_ = 0;
     std::string position_ = "before the handshake";
 };
