@@ -15,15 +15,11 @@
 #if __has_include("fix_couple_foam.h")
 #include "fix_couple_foam.h"
 #endif
-#if __has_include("fix_bond_parallel.h")
 #include "fix_bond_parallel.h"
-#endif
 #if __has_include("fix_body_rigid.h")
 #include "fix_body_rigid.h"
 #endif
-#if __has_include("compute_fragment.h")
 #include "compute_fragment.h"
-#endif
 
 using namespace LAMMPS_NS;
 
@@ -70,15 +66,11 @@ void addStyles(LAMMPS *lmp)
 #if __has_include("fix_couple_foam.h")
   fixes["couple/foam"] = &newFix<FixCoupleFoam>;
 #endif
-#if __has_include("fix_bond_parallel.h")
   fixes["bond/parallel"] = &newFix<FixBondParallel>;
-#endif
 #if __has_include("fix_body_rigid.h")
   fixes["body/rigid"] = &newFix<FixBodyRigid>;
 #endif
-#if __has_include("compute_fragment.h")
   computes["fragment"] = &newCompute<ComputeFragment>;
-#endif
 }
 
 /* No fix or compute can be created before the simulation box, and `clear` deletes the box together with

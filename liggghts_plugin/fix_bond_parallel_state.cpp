@@ -1,0 +1,339 @@
+/* fix bond/parallel: where bonds come from and how they travel. */
+
+#include "fix_bond_parallel.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "pair.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace LAMMPS_NS;
+using namespace frazil;
+
+/* ----------------------------------------------------------------------
+   creation: from a full neighbour list, so that each rank finds all bonds of its own spheres
+------------------------------------------------------------------------- */
+
+void FixBondParallel::create()
+{
+    neighbor->build_one(list_->index);
+    const int owned = atom->nlocal;
+    double** x = atom->x;
+    double smallest = std::numeric_limits<double>::max(), largestReach = 0;
+    for (int row = 0; row < list_->inum; ++row) {
+        const int i = list_->ilist[row];
+        if (!(atom->mask[i] & groupbit)) continue;
+        for (int n = 0; n < list_->numneigh[i]; ++n) {
+            const int j = list_->firstneigh[i][n] & NEIGHMASK;
+            if (!(atom->mask[j] & groupbit)) continue;
+            const double distance = std::sqrt(std::pow(x[j][0] - x[i][0], 2) + std::pow(x[j][1] - x[i][1], 2) +
+                                              std::pow(x[j][2] - x[i][2], 2));
+            const double gap = distance - atom->radius[i] - atom->radius[j];
+            const double mean = 0.5 * (atom->radius[i] + atom->radius[j]);
+            smallest = std::min(smallest, gap / mean);
+            largestReach = std::max(largestReach, createGap_ * mean);
+            if (gap > createGap_ * mean) continue;
+            const bool ordered = atom->tag[i] < atom->tag[j];
+            if (!ordered && atom->map(atom->tag[j]) < owned) continue; // added with the partner, on this rank
+            addBond(ordered ? i : j, ordered ? j : i, ordered ? i : j, ordered ? j : i);
+        }
+    }
+    for (std::size_t k = 0; k < table_.size(); ++k) {
+        const int i = table_.at1[k], j = table_.at2[k];
+        const Vec3 d{x[j][0] - x[i][0], x[j][1] - x[i][1], x[j][2] - x[i][2]};
+        table_.restLength[k] = norm(d);
+        for (int axis = 0; axis < 3; ++axis) table_.state[BondTable::separation + axis][k] = d[axis];
+        completeShape(k);
+    }
+    created_ = tableNewer_ = true;
+    owned_ = owned;
+    for (int i = 0; i < owned; ++i) store_.owners[i].self = atom->tag[i];
+    countBonds();
+    for (int i = 0; i < owned; ++i) {
+        store_.owners[i].initial = static_cast<int>(array_atom[i][0]);
+        array_atom[i][1] = array_atom[i][0];
+    }
+    reduceTotals();
+    initialBonds_ = static_cast<bigint>(totals_[INTACT]);
+    double volume = 0;
+    for (int i = 0; i < owned; ++i)
+        if (atom->mask[i] & groupbit) volume += 4. / 3 * M_PI * std::pow(atom->radius[i], 3);
+    MPI_Allreduce(&volume, &initialVolume_, 1, MPI_DOUBLE, MPI_SUM, world);
+
+    double reach, nearest;
+    MPI_Allreduce(&largestReach, &reach, 1, MPI_DOUBLE, MPI_MAX, world);
+    MPI_Allreduce(&smallest, &nearest, 1, MPI_DOUBLE, MPI_MIN, world);
+    char text[512];
+    if (reach > neighbor->skin) {
+        snprintf(text, sizeof text,
+                 "create_gap %g reaches %g m, beyond the neighbour skin of %g m, so pairs would be missed; cure: "
+                 "'neighbor %g bin' or a smaller create_gap", createGap_, reach, neighbor->skin, 1.1 * reach);
+        error->fix_error(FLERR, this, text);
+    }
+    if (initialBonds_ == 0) {
+        if (nearest < std::numeric_limits<double>::max())
+            snprintf(text, sizeof text, "no pair of the group is in reach: the smallest surface gap is %g of the mean "
+                     "radius, create_gap is %g; cure: create_gap above %g, or check the particles' positions and group",
+                     nearest, createGap_, nearest);
+        else
+            snprintf(text, sizeof text, "no pair of the group is in reach: not one within the neighbour distance of "
+                     "contact plus %g m; cure: check the particles' positions, radii and group, and that they exist "
+                     "before the first run", neighbor->skin);
+        error->fix_error(FLERR, this, text);
+    }
+    if (comm->me == 0) {
+        snprintf(text, sizeof text, "Fix bond/parallel (id %s): " BIGINT_FORMAT " bonds created\n", id, initialBonds_);
+        if (screen) fputs(text, screen);
+        if (logfile) fputs(text, logfile);
+    }
+}
+
+std::size_t FixBondParallel::addBond(int at1, int at2, int target1, int target2)
+{
+    const std::size_t k = table_.add();
+    table_.id1[k] = atom->tag[at1];
+    table_.id2[k] = atom->tag[at2];
+    table_.at1[k] = at1;
+    table_.at2[k] = at2;
+    // A periodic image of an owned sphere stands for that sphere.
+    const int owner1 = atom->map(table_.id1[k]), owner2 = atom->map(table_.id2[k]);
+    table_.target1[k] = owner1 < atom->nlocal ? owner1 : target1;
+    table_.target2[k] = owner2 < atom->nlocal ? owner2 : target2;
+    return k;
+}
+
+/// What follows from the spheres and is not stored with the bond.
+void FixBondParallel::completeShape(std::size_t k)
+{
+    const int i = table_.at1[k], j = table_.at2[k];
+    const double r1 = atom->radius[i], r2 = atom->radius[j];
+    table_.radius[k] = radiusFactor_ * std::min(r1, r2);
+    table_.share[k] = r1 / (r1 + r2);
+    table_.strength[k] =
+        weibullModulus_ > 0 ? weibullFactor(table_.id1[k], table_.id2[k], weibullModulus_, weibullSeed_) : 1;
+    const double m1 = atom->rmass[i], m2 = atom->rmass[j];
+    const double j1 = 0.4 * m1 * r1 * r1, j2 = 0.4 * m2 * r2 * r2;
+    table_.reducedMass[k] = m1 * m2 / (m1 + m2);
+    table_.reducedInertia[k] = j1 * j2 / (j1 + j2);
+}
+
+/* ----------------------------------------------------------------------
+   table <-> particles
+------------------------------------------------------------------------- */
+
+/// Table -> particles. Called before anything that moves particles between indices or ranks.
+void FixBondParallel::store()
+{
+    if (!tableNewer_) return;
+    store_.fill(table_, owned_);
+    tableNewer_ = false;
+    comm->maxexchange_fix = std::max(comm->maxexchange_fix, BondStore::words(largestCount()));
+}
+
+/// Particles -> table, with fresh local indices.
+void FixBondParallel::load()
+{
+    if (!created_) return;
+    store();
+    table_.clear();
+    std::vector<int> missing;
+    for (int i = 0; i < atom->nlocal; ++i) {
+        const BondStore::Owner owner = store_.owners[i];
+        if (owner.count && owner.self != atom->tag[i])
+            error->one(FLERR, "Fix bond/parallel: particle ids changed while bonds refer to them; cure: delete_atoms "
+                              "... compress no");
+        store_.owners[i].self = atom->tag[i];
+        for (int h = owner.first; h < owner.first + owner.count; ++h) {
+            const BondHalf& half = store_.pool[h];
+            const int partner = atom->map(half.partner);
+            const bool ordered = atom->tag[i] < half.partner;
+            if (partner < 0) {
+                missing.push_back(half.partner);
+                continue;
+            }
+            if (partner < atom->nlocal && !ordered) continue; // comes from the partner's half, on this rank
+            const int image = domain->closest_image(i, partner);
+            const std::size_t k = addBond(ordered ? i : image, ordered ? image : i, ordered ? i : image,
+                                          ordered ? image : i);
+            table_.restLength[k] = half.restLength;
+            for (int c = 0; c < BondTable::stateColumns; ++c) table_.state[c][k] = half.state[c];
+            completeShape(k);
+        }
+    }
+    tableNewer_ = true;
+    owned_ = atom->nlocal;
+    countBonds();
+    dropMissing(missing);
+    flushEvents();
+}
+
+/// Partners that are nowhere took their bonds with them; one that exists beyond the ghosts is an error.
+void FixBondParallel::dropMissing(const std::vector<int>& missing)
+{
+    int here = static_cast<int>(missing.size()), all = 0;
+    MPI_Allreduce(&here, &all, 1, MPI_INT, MPI_SUM, world);
+    if (all > 0) {
+        std::vector<int> counts(comm->nprocs), starts(comm->nprocs), ids(all);
+        MPI_Allgather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+        for (int rank = 1; rank < comm->nprocs; ++rank) starts[rank] = starts[rank - 1] + counts[rank - 1];
+        MPI_Allgatherv(missing.data(), here, MPI_INT, ids.data(), counts.data(), starts.data(), MPI_INT, world);
+        int far = 0, farthest = 0;
+        for (int partner : ids) {
+            const int i = atom->map(partner);
+            if (i >= 0 && i < atom->nlocal) far = std::max(far, partner);
+        }
+        MPI_Allreduce(&far, &farthest, 1, MPI_INT, MPI_MAX, world);
+        if (farthest > 0) {
+            char text[256];
+            snprintf(text, sizeof text, "the bonded partner with id %d is farther away than the ghost distance of %g "
+                     "m; cure: 'communicate single vel yes cutoff %g'", farthest, comm->cutghost[0],
+                     2 * comm->cutghost[0]);
+            error->fix_error(FLERR, this, text);
+        }
+    }
+    countLost();
+}
+
+/// Bonds that neither broke nor are there any more went with particles that were deleted or left the box.
+void FixBondParallel::countLost()
+{
+    reduceTotals();
+    const bigint present = static_cast<bigint>(totals_[INTACT] + totals_[TENSION] + totals_[SHEAR]);
+    const bigint lost = initialBonds_ - present;
+    if (lost > lostBonds_ && comm->me == 0) {
+        char text[256];
+        snprintf(text, sizeof text, "Fix bond/parallel (id %s): " BIGINT_FORMAT
+                 " bonds went with particles that were deleted or lost (" BIGINT_FORMAT " so far)\n",
+                 id, lost - lostBonds_, lost);
+        if (screen) fputs(text, screen);
+        if (logfile) fputs(text, logfile);
+    }
+    lostBonds_ = lost;
+}
+
+/// Columns 1 and 2 of the per-atom array.
+void FixBondParallel::countBonds()
+{
+    for (int i = 0; i < atom->nlocal; ++i) {
+        array_atom[i][0] = 0;
+        array_atom[i][1] = store_.owners[i].initial;
+    }
+    for (std::size_t k = 0; k < table_.size(); ++k)
+        for (int target : {table_.target1[k], table_.target2[k]})
+            if (target < atom->nlocal) array_atom[target][0] += 1;
+    comm->maxexchange_fix = std::max(comm->maxexchange_fix, BondStore::words(largestCount()));
+}
+
+int FixBondParallel::largestCount() const
+{
+    double largest = 0;
+    for (int i = 0; i < atom->nlocal; ++i) largest = std::max(largest, array_atom[i][0]);
+    return static_cast<int>(largest);
+}
+
+/* ----------------------------------------------------------------------
+   the host's per-atom arrays
+------------------------------------------------------------------------- */
+
+void FixBondParallel::grow_arrays(int nmax)
+{
+    memory->grow(array_atom, nmax, size_peratom_cols, "bond/parallel:array_atom");
+    store_.owners.resize(nmax);
+}
+
+void FixBondParallel::copy_arrays(int i, int j, int)
+{
+    store();
+    store_.owners[j] = store_.owners[i];
+    std::copy(array_atom[i], array_atom[i] + size_peratom_cols, array_atom[j]);
+}
+
+void FixBondParallel::set_arrays(int i)
+{
+    store();
+    store_.owners[i] = BondStore::Owner();
+    std::fill(array_atom[i], array_atom[i] + size_peratom_cols, 0.0);
+}
+
+int FixBondParallel::pack_exchange(int i, double* buffer)
+{
+    store();
+    return store_.pack(i, buffer);
+}
+
+int FixBondParallel::unpack_exchange(int i, double* buffer)
+{
+    std::fill(array_atom[i], array_atom[i] + size_peratom_cols, 0.0);
+    return store_.unpack(i, buffer);
+}
+
+/* ----------------------------------------------------------------------
+   restart files
+------------------------------------------------------------------------- */
+
+int FixBondParallel::pack_restart(int i, double* buffer)
+{
+    store();
+    buffer[0] = size_restart(i);
+    return 1 + store_.pack(i, buffer + 1);
+}
+
+void FixBondParallel::unpack_restart(int i, int nth)
+{
+    const double* extra = atom->extra[i];
+    int m = 0;
+    for (int n = 0; n < nth; ++n) m += static_cast<int>(extra[m]);
+    store_.unpack(i, extra + m + 1);
+}
+
+int FixBondParallel::size_restart(int i)
+{
+    store();
+    return 1 + BondStore::words(store_.owners[i].count);
+}
+
+int FixBondParallel::maxsize_restart()
+{
+    store();
+    int here = 0, all = 0;
+    for (int i = 0; i < atom->nlocal; ++i) here = std::max(here, store_.owners[i].count);
+    MPI_Allreduce(&here, &all, 1, MPI_INT, MPI_MAX, world);
+    return 1 + BondStore::words(all);
+}
+
+void FixBondParallel::write_restart(FILE* file)
+{
+    const double here[4] = {brokenTension_, brokenShear_, damped_, released_};
+    double all[4];
+    MPI_Allreduce(here, all, 4, MPI_DOUBLE, MPI_SUM, world);
+    const double record[8] = {double(created_), double(initialBonds_), double(lostBonds_), initialVolume_, all[0],
+                              all[1], all[2], all[3]};
+    if (comm->me) return;
+    const int size = sizeof record;
+    fwrite(&size, sizeof size, 1, file);
+    fwrite(record, sizeof record, 1, file);
+}
+
+void FixBondParallel::restart(char* buffer)
+{
+    const double* record = reinterpret_cast<const double*>(buffer);
+    created_ = restarted_ = record[0] != 0;
+    initialBonds_ = static_cast<bigint>(record[1]);
+    lostBonds_ = static_cast<bigint>(record[2]);
+    initialVolume_ = record[3];
+    if (comm->me) return; // sums over ranks start from rank 0
+    brokenTension_ = record[4];
+    brokenShear_ = record[5];
+    damped_ = record[6];
+    released_ = record[7];
+}
