@@ -19,37 +19,31 @@
 
 #include <mpi.h>
 
-#include "CoarseField.h"
 #include "CoarseGrid.h"
-#include "Interaction.h"
-#include "Ledger.h"
-#include "LocalFlow.h"
+#include "CouplingScheme.h"
 #include "Overlap.h"
-#include "ParticleView.h"
-#include "PhaseTimer.h"
-#include "Restriction.h"
 #include "Settings.h"
 
 namespace frazil {
 
-/// Output of the coupling on the fine mesh, one entry per fine cell of this rank.
-struct FineSource {
-    std::vector<double> solidFraction; ///< αs [-], of the volume that is open to fluid: αf = 1 - αs
-    std::vector<Vec3> force;           ///< on the fluid [N]; divide by the cell's volume for S [N/m3]
-};
-
 class CouplingStep
 {
   public:
-    /// Reads `dualGrid`, `kernel`, `prolongation`, `voidFraction`, `forces` and `momentumExchange` from the settings.
+    /// Reads from the settings:
+    ///   dualGrid          on (default) | off: each particle couples with the fine cell that holds its centre
+    ///   kernel            trilinear
+    ///   prolongation      { exponent 2; limiter cell (default) | none; }   see Prolongation.h
+    ///   voidFraction      { min 0.2; }  what would leave less fluid in a cell is clipped and listed in the ledger
+    ///   forces            { ... }  see ForceModel.h
+    ///   momentumExchange  on (default) | off: the fluid does not feel drag and added mass (one-way)
     /// @param comm  the fluid ranks; rank r owns the blocks of owner r of the grid
     CouplingStep(const Settings& settings, const CoarseGrid& grid, const Phase& water, const Phase& air, MPI_Comm comm);
     ~CouplingStep();
     CouplingStep(const CouplingStep&) = delete;
     CouplingStep& operator=(const CouplingStep&) = delete;
 
-    /// Is `dualGrid` on? If not, setLocator is needed in the place of setParts.
-    bool dualGrid() const;
+    /// Is `dualGrid` on? If not, setLocator is needed besides setParts.
+    bool dualGrid() const { return dualGrid_; }
     /// The pieces of this rank's fine cells (Overlap.h). Call at the start and whenever the mesh changes.
     void setParts(const std::vector<FinePiece>& pieces);
     /// For `dualGrid off`: index of this rank's fine cell that holds a point, -1 if none does.
@@ -64,17 +58,17 @@ class CouplingStep
                    std::vector<Interaction>& replies, FineSource& source);
 
     // Coarse fields of the last advance(), for output; the first ownedCount() entries are this rank's own cells.
-    const LocalCells& cells() const;
-    const CoarseField<double>& solidVolume() const;  ///< Σ V_p in the cell, what was clipped excluded [m3]
-    const CoarseField<CoarseFluid>& fluid() const;   ///< averages of the fluid
-    const CoarseField<Vec3>& impulse() const;        ///< on the particles, to be given to the fluid [N s]
-    const PhaseTimer& timer() const;
+    const LocalCells& cells() const { return scheme_->cells; }
+    /// Σ V_p in the cell, what was clipped excluded [m3]
+    const CoarseField<double>& solidVolume() const { return scheme_->solidVolume; }
+    const CoarseField<CoarseFluid>& fluid() const { return scheme_->fluid; }
+    /// On the particles, to be given to the fluid in the coming step [N s]
+    const CoarseField<Vec3>& impulse() const { return scheme_->impulse; }
+    const PhaseTimer& timer() const { return scheme_->timer; }
 
   private:
-    struct Scheme;
-    struct DualGridScheme;
-    struct DirectScheme;
-    std::unique_ptr<Scheme> scheme_;
+    bool dualGrid_;
+    std::unique_ptr<CouplingScheme> scheme_;
 };
 
 } // namespace frazil

@@ -4,10 +4,15 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include <mpi.h>
 
 #include "Vec3.h"
 
 namespace frazil {
+
+struct FineFlow;
 
 struct Ledger {
     // Solid volume [m3]: particles = coarse, coarse = fine + clipped.
@@ -27,6 +32,12 @@ struct Ledger {
     std::int64_t particles = 0;
     std::int64_t dryParticles = 0;  ///< with no fluid in their whole stencil: they feel nothing
     std::int64_t clippedCells = 0;  ///< coarse cells with clipped volume
+
+    /// Adds what the fine mesh of this rank got: αs, and the force [N] over the coming step.
+    void addFine(const FineFlow& flow, const std::vector<double>& solidFraction, const std::vector<Vec3>& force,
+                 double deltaT);
+    /// Sums every entry over the ranks.
+    void sumOver(MPI_Comm comm);
 
     double volumeErrorCoarse() const;   ///< |coarse - particles| / particles
     double volumeErrorFine() const;     ///< |fine + clipped - coarse| / particles

@@ -1,0 +1,74 @@
+/// What the two ways of coupling (dual grid, direct) have in common: their interface and the fields they leave behind.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "CoarseField.h"
+#include "ForceModel.h"
+#include "Ledger.h"
+#include "ParticleView.h"
+#include "PhaseTimer.h"
+#include "Prolongation.h"
+#include "Restriction.h"
+
+namespace frazil {
+
+/// Output of the coupling on the fine mesh, one entry per fine cell of this rank.
+struct FineSource {
+    std::vector<double> solidFraction; ///< αs [-], of the volume that is open to fluid: αf = 1 - αs
+    std::vector<Vec3> force;           ///< on the fluid [N]; divide by the cell's volume for S [N/m3]
+
+    void reset(std::size_t fineCells)
+    {
+        solidFraction.assign(fineCells, 0.0);
+        force.assign(fineCells, Vec3{});
+    }
+};
+
+struct CouplingSettings {
+    ProlongationSettings prolongation;
+    double smallestFluidFraction = 0.2; ///< αf never falls below [-]
+    bool momentumExchange = true;       ///< off: the fluid does not feel the particles' drag
+};
+
+class CouplingScheme
+{
+  public:
+    CouplingScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
+                   LocalCells cells)
+        : cells(std::move(cells)), settings_(settings), forces_(std::move(forces)), water_(water), air_(air)
+    {
+    }
+    virtual ~CouplingScheme() = default;
+
+    virtual void setParts(const std::vector<FinePiece>& pieces) = 0;
+    virtual void setLocator(std::function<int(const Vec3&)> fineCellAt) = 0;
+    virtual Ledger advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
+                           std::vector<Interaction>& replies, FineSource& source) = 0;
+
+    LocalCells cells;
+    CoarseField<double> solidVolume;
+    CoarseField<CoarseFluid> fluid;
+    CoarseField<Vec3> impulse;
+    PhaseTimer timer;
+
+  protected:
+    const CouplingSettings settings_;
+    const ForceModel forces_;
+    const Phase water_, air_;
+};
+
+/// State of particle i for the force laws.
+inline ParticleState stateOf(const ParticleView& particles, std::size_t i)
+{
+    return {particles.velocity[i], particles.angularVelocity[i], particles.radius[i], particles.exposure[i]};
+}
+
+inline double volumeOf(const ParticleView& particles, std::size_t i)
+{
+    const double sphere = 4.0 / 3 * 3.14159265358979323846, r = particles.radius[i];
+    return sphere * r * r * r;
+}
+
+} // namespace frazil

@@ -1,0 +1,181 @@
+#include "DirectScheme.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ParticleReach.h"
+#include "Sum.h"
+
+namespace frazil {
+
+DirectScheme::DirectScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
+                           const CoarseGrid& grid, MPI_Comm comm)
+    : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), comm_(comm),
+      router_(comm), holders_(cells.ownedCount()), carried_(cells.ownedCount())
+{
+    fluid.reset(cells);
+}
+
+/// Tells the owner of every coarse cell which ranks have fine cells in it.
+void DirectScheme::setParts(const std::vector<FinePiece>& pieces)
+{
+    struct Notice {
+        std::int64_t cell;
+        int rank;
+    };
+    const std::vector<std::int64_t> touched = touchedCells(pieces);
+    std::vector<int> owners;
+    std::vector<Notice> notices;
+    for (const std::int64_t cell : touched) {
+        owners.push_back(cells.grid().ownerOf(cell));
+        notices.push_back({cell, rankIn(comm_)});
+    }
+    holders_.assign(cells.ownedCount(), {});
+    for (const Notice& notice : router_.send(owners, notices)) {
+        holders_[cells.local(notice.cell)].push_back(notice.rank); // comes ordered by rank
+    }
+}
+
+Ledger DirectScheme::advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
+                             std::vector<Interaction>& replies, FineSource& source)
+{
+    Ledger ledger;
+    source.reset(flow.count);
+    std::vector<int> to;
+    std::vector<std::size_t> who;
+    std::vector<Visitor> visitors;
+    std::vector<Interaction> answers;
+    {
+        const PhaseTimer::Scope scope(timer, PhaseTimer::projection);
+        const std::vector<Place> places = locate(particles, flow);
+        const std::vector<Visitor> departing = depart(particles, places, to, who, ledger);
+        visitors = router_.send(to, departing);
+        settle(visitors, flow, deltaT, source, ledger);
+    }
+    {
+        const PhaseTimer::Scope scope(timer, PhaseTimer::forces);
+        answers = router_.answer(interact(visitors, flow, source));
+    }
+    replies.assign(particles.count, Interaction{});
+    for (std::size_t n = 0; n < who.size(); ++n) replies[who[n]] = answers[n];
+    ledger.addFine(flow, source.solidFraction, source.force, deltaT);
+    ledger.sumOver(comm_);
+    return ledger;
+}
+
+std::vector<DirectScheme::Place> DirectScheme::locate(const ParticleView& particles, const FineFlow& flow)
+{
+    std::vector<int> to;
+    std::vector<Vec3> centres;
+    std::vector<std::size_t> asker;
+    for (std::size_t i = 0; i < particles.count; ++i) {
+        for (const int rank : holders_[homeOf(particles, i, cells)]) {
+            to.push_back(rank);
+            centres.push_back(particles.position[i]);
+            asker.push_back(i);
+        }
+    }
+    const std::vector<Vec3> asked = router_.send(to, centres);
+    std::vector<int> found(asked.size());
+    for (std::size_t n = 0; n < asked.size(); ++n) {
+        found[n] = fineCellAt_(asked[n]);
+        if (found[n] >= 0 && !(flow.fluidFraction[found[n]] > 0)) found[n] = -1; // inside a body
+    }
+    const std::vector<int> answer = router_.answer(found);
+    std::vector<Place> places(particles.count);
+    for (std::size_t n = 0; n < answer.size(); ++n) {
+        Place& place = places[asker[n]];
+        if (answer[n] >= 0 && place.rank < 0) place = {to[n], answer[n]};
+    }
+    return places;
+}
+
+std::vector<DirectScheme::Visitor> DirectScheme::depart(const ParticleView& particles, const std::vector<Place>& places,
+                                                        std::vector<int>& to, std::vector<std::size_t>& who,
+                                                        Ledger& ledger)
+{
+    solidVolume.reset(cells);
+    impulse.reset(cells);
+    for (const Vec3& carried : carried_) {
+        ledger.carriedIn += carried;
+        ledger.impulseScale += norm(carried);
+    }
+    std::vector<Visitor> visitors;
+    for (std::size_t i = 0; i < particles.count; ++i) {
+        const int home = homeOf(particles, i, cells);
+        const double volume = volumeOf(particles, i);
+        const Vec3 own = settings_.momentumExchange ? particles.impulse[i] : Vec3{};
+        ++ledger.particles;
+        ledger.particleVolume += volume;
+        ledger.received += own;
+        ledger.impulseScale += norm(own);
+        carried_[home] += own;
+        if (places[i].rank < 0) {
+            ++ledger.dryParticles;
+            ledger.coarseVolume += volume;
+            ledger.clippedVolume += volume;
+            continue;
+        }
+        solidVolume[home] += volume;
+        impulse[home] += carried_[home];
+        visitors.push_back({particles.id[i], places[i].fineCell, volume, carried_[home], stateOf(particles, i)});
+        carried_[home] = Vec3{};
+        to.push_back(places[i].rank);
+        who.push_back(i);
+    }
+    for (const Vec3& carried : carried_) {
+        ledger.unplaced += carried;
+        ledger.coarseImpulse += carried;
+    }
+    return visitors;
+}
+
+void DirectScheme::settle(const std::vector<Visitor>& visitors, const FineFlow& flow, double deltaT, FineSource& source,
+                          Ledger& ledger) const
+{
+    std::vector<std::size_t> order(visitors.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return visitors[a].id < visitors[b].id; });
+    for (const std::size_t n : order) {
+        const Visitor& visitor = visitors[n];
+        source.solidFraction[visitor.fineCell] += visitor.volume;
+        source.force[visitor.fineCell] -= visitor.impulse / deltaT;
+        ledger.coarseVolume += visitor.volume;
+        ledger.coarseImpulse += visitor.impulse;
+    }
+    fitSolid(flow, source, ledger);
+}
+
+/// From volume to αs, with what fits below the smallest fluid fraction.
+void DirectScheme::fitSolid(const FineFlow& flow, FineSource& source, Ledger& ledger) const
+{
+    for (std::size_t f = 0; f < flow.count; ++f) {
+        double& solid = source.solidFraction[f];
+        if (!(solid > 0)) continue;
+        const double open = flow.open(f) * flow.volume[f], room = (1 - settings_.smallestFluidFraction) * open;
+        if (solid > room) {
+            ledger.clippedVolume += solid - room;
+            ++ledger.clippedCells;
+            solid = room;
+        }
+        solid /= open;
+    }
+}
+
+std::vector<Interaction> DirectScheme::interact(const std::vector<Visitor>& visitors, const FineFlow& flow,
+                                                const FineSource& source) const
+{
+    std::vector<Interaction> answers(visitors.size());
+    forces_.withDrag([&](const auto& force) {
+        for (std::size_t n = 0; n < visitors.size(); ++n) {
+            const int f = visitors[n].fineCell;
+            const LocalFlow local{1 - source.solidFraction[f], flow.wetFraction[f],  flow.velocity[f],
+                                  flow.pressureGradient[f],    flow.viscousForce[f], flow.acceleration[f],
+                                  flow.vorticity[f]};
+            answers[n] = force(local, visitors[n].state, water_, air_);
+        }
+    });
+    return answers;
+}
+
+} // namespace frazil

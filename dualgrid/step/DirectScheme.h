@@ -1,0 +1,58 @@
+/// `dualGrid off`, the conventional scheme: each particle couples with the fine cell that holds its centre.
+///
+/// The fine cell's own values act on the particle; its whole volume and impulse go into that cell. Meant for comparison:
+/// as soon as a fine cell is not much larger than a particle, the solid does not fit and is clipped (see the ledger).
+///
+/// Algorithm: the owner of the particle's coarse cell knows which ranks have fine cells there; it asks them for the
+/// centre (the lowest rank that finds it wins), sends the particle there and gets the Interaction back. A centre in no
+/// fluid cell: no force; volume listed as clipped; its impulse waits in the coarse cell for the next particle there.
+/// Cost: two round trips of the particles' records among the fluid ranks. Parallel: collective; particles are sorted by
+/// id before anything is summed.
+#pragma once
+
+#include "CouplingScheme.h"
+#include "Router.h"
+
+namespace frazil {
+
+class DirectScheme : public CouplingScheme
+{
+  public:
+    DirectScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
+                 const CoarseGrid& grid, MPI_Comm comm);
+
+    void setParts(const std::vector<FinePiece>& pieces) override;
+    void setLocator(std::function<int(const Vec3&)> fineCellAt) override { fineCellAt_ = std::move(fineCellAt); }
+    Ledger advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
+                   std::vector<Interaction>& replies, FineSource& source) override;
+
+  private:
+    /// A particle on its way to the rank that has its fine cell.
+    struct Visitor {
+        std::int64_t id;
+        int fineCell;
+        double volume;
+        Vec3 impulse;
+        ParticleState state;
+    };
+    struct Place {
+        int rank = -1, fineCell = -1;
+    };
+
+    std::vector<Place> locate(const ParticleView& particles, const FineFlow& flow);
+    std::vector<Visitor> depart(const ParticleView& particles, const std::vector<Place>& places, std::vector<int>& to,
+                                std::vector<std::size_t>& who, Ledger& ledger);
+    void settle(const std::vector<Visitor>& visitors, const FineFlow& flow, double deltaT, FineSource& source,
+                Ledger& ledger) const;
+    void fitSolid(const FineFlow& flow, FineSource& source, Ledger& ledger) const;
+    std::vector<Interaction> interact(const std::vector<Visitor>& visitors, const FineFlow& flow,
+                                      const FineSource& source) const;
+
+    MPI_Comm comm_;
+    Router router_;
+    std::function<int(const Vec3&)> fineCellAt_;
+    std::vector<std::vector<int>> holders_; ///< per owned coarse cell: ranks with fine cells in it, ascending
+    std::vector<Vec3> carried_;             ///< per owned coarse cell [N s]
+};
+
+} // namespace frazil
