@@ -1,0 +1,519 @@
+#include "openVolume.H"
+#include "immersedBodies.H"
+#include "pimpleControl.H"
+#include "fixedValueFvPatchFields.H"
+#include "zeroGradientFvPatchFields.H"
+
+namespace Foam
+{
+
+namespace
+{
+
+//- An unregistered field of the mesh, so that nothing but the solver sees it
+template<class Type>
+autoPtr<GeometricField<Type, fvPatchField, volMesh>> cellField
+(
+    const word& name,
+    const fvMesh& mesh,
+    const dimensioned<Type>& value
+)
+{
+    return autoPtr<GeometricField<Type, fvPatchField, volMesh>>
+    (
+        new GeometricField<Type, fvPatchField, volMesh>
+        (
+            IOobject(name, mesh.time().timeName(), mesh),
+            mesh,
+            value,
+            zeroGradientFvPatchField<Type>::typeName
+        )
+    );
+}
+
+
+//- Least ε [-] that MULES divides by, in cells that are closed
+const scalar divisible = 1e-9;
+
+//- Least ε [-] in the pressure equation's cell coefficient; the faces of such a cell are closed
+const scalar divisiblePressure = 1e-6;
+
+
+//- Set value and old value of the current time index
+void setWithOld(volScalarField& vf, const volScalarField& old, const volScalarField& now)
+{
+    vf.oldTime() == old;
+    vf == now;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+tmp<surfaceScalarField> openVolume::faceMax(const volScalarField& vf) const
+{
+    tmp<surfaceScalarField> tmax(fvc::interpolate(vf));
+    surfaceScalarField& fmax = tmax.ref();
+
+    forAll(fmax, facei)
+    {
+        fmax[facei] = max(vf[mesh_.owner()[facei]], vf[mesh_.neighbour()[facei]]);
+    }
+    forAll(fmax.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pvf = vf.boundaryField()[patchi];
+        fmax.boundaryFieldRef()[patchi] =
+            pvf.coupled()
+          ? max(pvf.patchInternalField(), pvf.patchNeighbourField())
+          : pvf.patchInternalField();
+    }
+    return tmax;
+}
+
+
+void openVolume::setFaces()
+{
+    faces_() == fvc::interpolate(*fluidFraction_);
+    merged_() == dimensionedScalar(dimless, Zero);
+
+    if (bodies_)
+    {
+        solid_() == neg0(max(start_(), end_()) - closedCell);
+        faces_() *= bodies_->theta()*(1.0 - faceMax(solid_()));
+        mergeSmallCells();
+    }
+}
+
+
+void openVolume::mergeSmallCells()
+{
+    const volScalarField least(min(start_(), end_())/(*fluidFraction_));
+    const volScalarField share((1.0 - solid_())*sqr(max(1.0 - least/smallCell, scalar(0))));
+    const volVectorField& normal = bodies_->normal();
+    const surfaceVectorField Sf(mesh_.Sf()/mesh_.magSf());
+    surfaceScalarField& merged = merged_();
+
+    // From the small cell to its neighbour on the fluid's side of the surface, weighted by the angle
+    auto conductance = [](const scalar share, const scalar cosine)
+    {
+        return mergeConductance*share*sqr(max(cosine, scalar(0)));
+    };
+
+    forAll(merged, facei)
+    {
+        const label own = mesh_.owner()[facei];
+        const label nei = mesh_.neighbour()[facei];
+        merged[facei] =
+            conductance(share[own], normal[own] & Sf[facei])
+          + conductance(share[nei], -(normal[nei] & Sf[facei]));
+    }
+    forAll(merged.boundaryField(), patchi)
+    {
+        if (!mesh_.boundary()[patchi].coupled())
+        {
+            continue;
+        }
+        const scalarField own(share.boundaryField()[patchi].patchInternalField());
+        const scalarField nei(share.boundaryField()[patchi].patchNeighbourField());
+        const vectorField ownNormal(normal.boundaryField()[patchi].patchInternalField());
+        const vectorField neiNormal(normal.boundaryField()[patchi].patchNeighbourField());
+        const vectorField& pSf = Sf.boundaryField()[patchi];
+        forAll(own, i)
+        {
+            merged.boundaryFieldRef()[patchi][i] =
+                conductance(own[i], ownNormal[i] & pSf[i]) + conductance(nei[i], -(neiNormal[i] & pSf[i]));
+        }
+    }
+    merged *= 1.0 - faceMax(solid_());
+}
+
+
+tmp<volScalarField> openVolume::anchor() const
+{
+    return max(1.0 - 10.0*end_(), scalar(0));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+openVolume::openVolume(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    bodies_(nullptr),
+    fluidFraction_(nullptr),
+    particleForce_(nullptr)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void openVolume::use
+(
+    const volScalarField& fluidFraction,
+    const volVectorField& particleForce,
+    const immersedBodies* bodies,
+    const surfaceScalarField& phi,
+    const volScalarField& rho
+)
+{
+    fluidFraction_ = &fluidFraction;
+    particleForce_ = &particleForce;
+    bodies_ = bodies;
+
+    const dimensionedScalar one("one", dimless, 1.0);
+    epsilon_ = cellField("epsilon", mesh_, one);
+    start_ = cellField("epsilonStart", mesh_, one);
+    end_ = cellField("epsilonEnd", mesh_, one);
+    solid_ = cellField("solid", mesh_, dimensionedScalar(dimless, Zero));
+    blending_ = cellField("blending", mesh_, dimensionedVector(dimForce/dimVolume, Zero));
+    faces_.reset(new surfaceScalarField("openFaces", fvc::interpolate(one*end_())));
+    merged_.reset(new surfaceScalarField("mergedFaces", 0*faces_()));
+    wholeFlux_.reset(new surfaceScalarField("phiWhole", phi));
+
+    // Named as rho, so that the schemes of rho apply to it, but known to nobody
+    rhoE_.reset
+    (
+        new volScalarField
+        (
+            IOobject("rho", mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::NO_WRITE, false),
+            1.0*rho
+        )
+    );
+
+    update();
+    start_() == end_();
+    wholeStep();
+    setFaces();
+    rhoE_() == end_()*rho;
+    rhoE_().oldTime();
+    wholeFlux_().oldTime();
+}
+
+
+void openVolume::update()
+{
+    start_() == end_();
+    end_() == *fluidFraction_;
+    if (bodies_)
+    {
+        end_() == end_()*(1.0 - bodies_->gamma());
+        end_() == end_()*pos(end_() - closedCell);
+    }
+    wholeStep();
+    setFaces();
+}
+
+
+void openVolume::correctFlux
+(
+    surfaceScalarField& phi,
+    const volScalarField& p_rgh,
+    pimpleControl& pimple
+) const
+{
+    const dimensionedScalar deltaT(mesh_.time().deltaT());
+    const surfaceScalarField conductance
+    (
+        (faces_() + merged_())*dimensionedScalar("rAUf", dimTime/dimDensity, 1.0)
+    );
+
+    wordList types(p_rgh.boundaryField().size(), zeroGradientFvPatchScalarField::typeName);
+    forAll(types, patchi)
+    {
+        if (p_rgh.boundaryField()[patchi].fixesValue())
+        {
+            types[patchi] = fixedValueFvPatchScalarField::typeName;
+        }
+    }
+    volScalarField pcorr
+    (
+        IOobject("pcorr", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(p_rgh.dimensions(), Zero),
+        types
+    );
+    mesh_.setFluxRequired(pcorr.name());
+
+    // What passed through faces that are closed now stays behind
+    phi *= pos(conductance);
+
+    while (pimple.correctNonOrthogonal())
+    {
+        fvScalarMatrix pcorrEqn(fvm::laplacian(conductance, pcorr) == fvc::div(phi));
+        addSweptVolume(pcorrEqn, pcorr, conductance);
+        pcorrEqn.setReference(0, 0);
+        pcorrEqn.solve(mesh_.solver(pcorr.select(pimple.finalNonOrthogonalIter())));
+
+        if (pimple.finalNonOrthogonalIter())
+        {
+            phi -= pcorrEqn.flux();
+        }
+    }
+}
+
+
+void openVolume::partOfStep(const label i, const label n)
+{
+    if (active())
+    {
+        const scalar from = scalar(i)/n;
+        const scalar to = scalar(i + 1)/n;
+        setWithOld
+        (
+            epsilon_(),
+            max((1 - from)*start_() + from*end_(), divisible),
+            max((1 - to)*start_() + to*end_(), divisible)
+        );
+    }
+}
+
+
+void openVolume::wholeStep()
+{
+    partOfStep(0, 1);
+}
+
+
+const volScalarField& openVolume::density(const volScalarField& rho)
+{
+    if (!active())
+    {
+        return rho;
+    }
+    rhoE_().oldTime() == start_()*rho.oldTime();
+    rhoE_() == end_()*rho;
+    return rhoE_();
+}
+
+
+scalar openVolume::mean(const volScalarField& vf) const
+{
+    if (!active())
+    {
+        return vf.weightedAverage(mesh_.Vsc()).value();
+    }
+    const scalarField open(end_().primitiveField()*mesh_.V());
+    return gSum(open*vf.primitiveField())/gSum(open);
+}
+
+
+tmp<volScalarField> openVolume::inCells(const volScalarField& vf) const
+{
+    return active() ? max(end_(), divisiblePressure)*vf : tmp<volScalarField>(vf);
+}
+
+
+tmp<volScalarField> openVolume::inCells(const tmp<volScalarField>& tvf) const
+{
+    return active() ? max(end_(), divisiblePressure)*tvf : tvf;
+}
+
+
+tmp<volVectorField> openVolume::inCells(const tmp<volVectorField>& tvf) const
+{
+    return active() ? end_()*tvf : tvf;
+}
+
+
+tmp<fvVectorMatrix> openVolume::inCells(const tmp<fvVectorMatrix>& tM) const
+{
+    return active() ? end_()*tM : tM;
+}
+
+
+tmp<volVectorField> openVolume::reconstruct(const tmp<surfaceScalarField>& tssf) const
+{
+    if (!active() || !bodies_)
+    {
+        return fvc::reconstruct(tssf);
+    }
+
+    // Closed faces know nothing of the fluid; a small weight keeps the sum invertible
+    const surfaceScalarField weight(max(bodies_->theta(), scalar(0.01)));
+    const surfaceVectorField weightedNormal(weight*mesh_.Sf()/mesh_.magSf());
+    tmp<volVectorField> tresult
+    (
+        new volVectorField
+        (
+            "reconstructed",
+            inv(fvc::surfaceSum(weightedNormal*mesh_.Sf())) & fvc::surfaceSum(weightedNormal*tssf)
+        )
+    );
+    return tresult;
+}
+
+
+tmp<surfaceScalarField> openVolume::throughFaces(const tmp<surfaceScalarField>& tssf) const
+{
+    return active() ? faces_()*tssf : tssf;
+}
+
+
+const surfaceScalarField& openVolume::wholeFaceFlux(const surfaceScalarField& phi) const
+{
+    return active() ? wholeFlux_() : phi;
+}
+
+
+void openVolume::setWholeFaceFlux(const surfaceScalarField& phiWhole)
+{
+    wholeFlux_() == phiWhole;
+}
+
+
+void openVolume::closeFaces(surfaceScalarField& phiHbyA, const surfaceScalarField& phig) const
+{
+    if (active())
+    {
+        phiHbyA = faces_()*phiHbyA + merged_()*phig;
+    }
+}
+
+
+tmp<surfaceScalarField> openVolume::faceCoefficient(const surfaceScalarField& rAUf) const
+{
+    return active() ? (faces_() + merged_())*rAUf : tmp<surfaceScalarField>(rAUf);
+}
+
+
+void openVolume::addForces(fvVectorMatrix& UEqn, const volScalarField& rho, const volVectorField& U) const
+{
+    UEqn -= *particleForce_;
+    if (bodies_)
+    {
+        const volScalarField coefficient(anchor()*rho/mesh_.time().deltaT());
+        UEqn += fvm::Sp(coefficient, U) - coefficient*U;
+    }
+}
+
+
+void openVolume::addSweptVolume
+(
+    fvScalarMatrix& pEqn,
+    const volScalarField& p_rgh,
+    const surfaceScalarField& rAUf
+) const
+{
+    const scalarField& V = mesh_.V();
+    pEqn.source() += V*(end_().primitiveField() - start_().primitiveField())/mesh_.time().deltaTValue();
+
+    if (bodies_)
+    {
+        // A cell without an open face keeps its value
+        const scalarField anchored
+        (
+            solid_().primitiveField()
+           *fvc::surfaceSum(rAUf*mesh_.magSf()*mesh_.deltaCoeffs())().primitiveField()
+        );
+        pEqn.diag() -= anchored;
+        pEqn.source() -= anchored*p_rgh.primitiveField();
+    }
+}
+
+
+template<class Type>
+void openVolume::extend(GeometricField<Type, fvPatchField, volMesh>& vf) const
+{
+    const volVectorField& normal = bodies_->normal();
+    const scalarField& closed = solid_();
+
+    for (label sweep = 0; sweep < nExtensionLayers; ++sweep)
+    {
+        vf.correctBoundaryConditions();
+        Field<Type> sum(mesh_.nCells(), Zero);
+        scalarField weights(mesh_.nCells(), Zero);
+
+        auto take = [&](const label celli, const Type& value, const scalar outward)
+        {
+            if (closed[celli] > 0.5 && outward > 0)
+            {
+                sum[celli] += outward*value;
+                weights[celli] += outward;
+            }
+        };
+
+        for (label facei = 0; facei < mesh_.nInternalFaces(); ++facei)
+        {
+            const label own = mesh_.owner()[facei];
+            const label nei = mesh_.neighbour()[facei];
+            const vector& S = mesh_.Sf()[facei];
+            take(own, vf[nei], normal[own] & S);
+            take(nei, vf[own], -(normal[nei] & S));
+        }
+        for (const fvPatchField<Type>& pvf : vf.boundaryField())
+        {
+            if (pvf.coupled())
+            {
+                const Field<Type> other(pvf.patchNeighbourField());
+                forAll(other, i)
+                {
+                    const label celli = pvf.patch().faceCells()[i];
+                    take(celli, other[i], normal[celli] & pvf.patch().Sf()[i]);
+                }
+            }
+        }
+        forAll(sum, celli)
+        {
+            if (weights[celli] > 0)
+            {
+                vf[celli] = sum[celli]/weights[celli];
+            }
+        }
+    }
+    vf.correctBoundaryConditions();
+}
+
+
+void openVolume::extendIntoBodies(volScalarField& vf) const
+{
+    if (active() && bodies_)
+    {
+        extend(vf);
+    }
+}
+
+
+void openVolume::blendWithBodies(volVectorField& U, const volScalarField& rho)
+{
+    if (!active() || !bodies_)
+    {
+        return;
+    }
+    extend(U);
+
+    // 0 where half of the cell is open, 1 where less than a tenth is
+    const volScalarField weight(min(max((0.5 - (1.0 - bodies_->gamma()))/0.4, scalar(0)), scalar(1)));
+    const volVectorField change(weight*bodies_->constrained(bodies_->Ub() - U));
+    blending_() == end_()*rho*change/mesh_.time().deltaT();
+    U += change;
+    U.correctBoundaryConditions();
+}
+
+
+tmp<volScalarField> openVolume::meanEpsilon() const
+{
+    return 0.5*(start_() + end_());
+}
+
+
+void openVolume::reportContinuity(const surfaceScalarField& phi, scalar& cumulative) const
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+    volScalarField error(fvc::div(phi));
+    if (active())
+    {
+        error += (end_() - start_())/mesh_.time().deltaT();
+    }
+
+    const scalar local = deltaT*mag(error)().weightedAverage(mesh_.V()).value();
+    const scalar global = deltaT*error.weightedAverage(mesh_.V()).value();
+    cumulative += global;
+
+    Info<< "time step continuity errors : sum local = " << local
+        << ", global = " << global
+        << ", cumulative = " << cumulative
+        << endl;
+}
+
+} // End namespace Foam
