@@ -59,7 +59,10 @@ foreach(folder
         list(APPEND includes ${OpenFOAM_SRC}/${folder}/lnInclude)
     endif()
 endforeach()
-list(APPEND includes ${OpenFOAM_SRC}/transportModels ${root}/applications/solvers/multiphase/VoF)
+list(APPEND includes ${OpenFOAM_SRC}/transportModels)
+foreach(solver VoF interFoam)
+    list(APPEND includes ${root}/applications/solvers/multiphase/${solver})
+endforeach()
 
 set(libraries)
 foreach(name
