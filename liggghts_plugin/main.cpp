@@ -9,6 +9,8 @@
 #include "register_styles.h"
 #include "signal_handling.h"
 
+#include "World.h"
+
 using namespace LAMMPS_NS;
 
 namespace {
@@ -30,9 +32,10 @@ int main(int argc, char **argv)
   handle(SIGTERM, SignalHandler::int_handler);
   handle(SIGUSR1, SignalHandler::usr1_handler);
 
+  frazil::World::declare(frazil::Side::dem);
   MPI_Init(&argc, &argv);
 
-  LAMMPS *lammps = new LAMMPS(argc, argv, MPI_COMM_WORLD);
+  LAMMPS *lammps = new LAMMPS(argc, argv, frazil::World::instance().own());
   frazil::registerStyles(lammps);
   lammps->input->file();
   delete lammps;

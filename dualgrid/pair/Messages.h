@@ -28,6 +28,7 @@ struct StepOrder {
     double deltaT = 0;          ///< fluid time step [s], substeps × DEM time step
     std::int64_t substeps = 0;  ///< DEM steps in it
     std::int64_t finish = 0;    ///< 1: the fluid has reached its end, no step follows
+    std::int64_t written = 0;   ///< 1: the fluid has written its fields at `time`, so that frazilDem writes a restart file
 };
 
 /// frazilDem's report at the start of a fluid step.

@@ -1,0 +1,41 @@
+/* history.csv: one line per fluid step, what a user plots first. Columns: header() in the source.
+   Values of the body and of the bonds come from the global vectors of their fixes, which may sum over ranks: write()
+   is collective, rank 0 owns the file. The fragments are counted only when bonds have broken, and not more often
+   than every `fragmentEvery` lines, since that visits every bond. */
+
+#ifndef FRAZIL_COUPLING_HISTORY_H
+#define FRAZIL_COUPLING_HISTORY_H
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "Messages.h"
+#include "pointers.h"
+
+namespace LAMMPS_NS {
+
+class CouplingHistory : protected Pointers {
+ public:
+  // append: a continued run goes on in its file
+  CouplingHistory(LAMMPS *, const std::string &file, int fragmentEvery, bool append);
+  ~CouplingHistory();
+
+  // line for the exchange at the order's time; wall: seconds since the handshake
+  void write(const frazil::StepOrder &order, double wall);
+
+ private:
+  void open(const std::string &file, bool append);
+  void writeHeader();
+  std::vector<class Fix *> bodyFixes() const;
+  void countFragments(double broken);
+
+  FILE *out_;
+  int fragmentEvery_;
+  long lines_, countedAt_;
+  double brokenThen_, largest_;
+};
+
+}
+
+#endif

@@ -1,0 +1,498 @@
+#include "fix_couple_foam.h"
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+#include "atom.h"
+#include "comm.h"
+#include "coupled_body.h"
+#include "coupling_history.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_gravity.h"
+#include "fluid_push.h"
+#include "force.h"
+#include "group.h"
+#include "memory.h"
+#include "modify.h"
+#include "output.h"
+#include "signal_handling.h"
+#include "update.h"
+#include "write_restart.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using frazil::Vec3;
+
+namespace {
+
+const double momentOfInertia = 0.4;  // of a sphere, in units of m r^2, as fix nve/sphere has it
+
+Vec3 vec(const double *a) { return {a[0], a[1], a[2]}; }
+
+void add(double *a, const Vec3 &b)
+{
+  a[0] += b.x;
+  a[1] += b.y;
+  a[2] += b.z;
+}
+
+}
+
+/* ---------------------------------------------------------------------- */
+
+FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
+  Fix(lmp, narg, arg),
+  historyFile_("history.csv"),
+  fragmentEvery_(10),
+  shielding_(NULL),
+  movingGroups_(0),
+  frozenGroups_(0),
+  exchangeStep_(-1),
+  dt_(0),
+  restartTime_(-1),
+  forceStep_(-1),
+  startWall_(0),
+  exchangeWall_(0),
+  forceWall_(0)
+{
+  readKeywords(narg, arg);
+  if (!atom->radius_flag || !atom->rmass_flag)
+    error->fix_error(FLERR, this, "needs spheres with mass and radius. Use atom_style granular");
+  if (modify->n_fixes_style_strict("couple/foam") > 0)
+    error->fix_error(FLERR, this, "a script can have only one. Couple all particles through one group");
+  try {
+    link_.reset(new frazil::DemLink);
+  } catch (const std::exception &e) {
+    error->fix_error(FLERR, this, e.what());
+  }
+
+  nevery = 1;
+  vector_flag = 1;
+  size_vector = 5;
+  global_freq = 1;
+  extvector = 0;
+  peratom_flag = 1;
+  size_peratom_cols = FORCES;
+  peratom_freq = 1;
+  create_attribute = 1;
+  restart_global = 1;
+  restart_peratom = 1;
+
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+  for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+}
+
+/* ----------------------------------------------------------------------
+   collective: unfix, clear or the end of LIGGGHTS
+------------------------------------------------------------------------- */
+
+FixCoupleFoam::~FixCoupleFoam()
+{
+  if (link_ && exchangeStep_ >= 0 && !link_->finished()) {
+    link_->finish(update ? update->ntimestep * dt_ : 0);
+    printTimers();
+  }
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+  memory->destroy(array_atom);
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::readKeywords(int narg, char **arg)
+{
+  for (int i = 3; i < narg; i += 2) {
+    const std::string keyword = arg[i];
+    if (i + 1 == narg) {
+      const std::string message = "keyword " + keyword + " has no value";
+      error->fix_error(FLERR, this, message.c_str());
+    }
+    if (keyword == "shielding") shieldingId_ = arg[i + 1];
+    else if (keyword == "history") historyFile_ = strcmp(arg[i + 1], "none") ? arg[i + 1] : "";
+    else if (keyword == "restart") restartFile_ = arg[i + 1];
+    else if (keyword == "fragment_every") fragmentEvery_ = force->inumeric(FLERR, arg[i + 1]);
+    else {
+      const std::string message = "unknown keyword " + keyword + ". Known: shielding, history, restart, fragment_every";
+      error->fix_error(FLERR, this, message.c_str());
+    }
+  }
+  if (fragmentEvery_ < 1) error->fix_error(FLERR, this, "fragment_every must be 1 or more (fluid steps)");
+}
+
+int FixCoupleFoam::setmask()
+{
+  return POST_FORCE | END_OF_STEP;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::init()
+{
+  if (strstr(update->integrate_style, "respa"))
+    error->fix_error(FLERR, this, "does not work with run_style respa. Use run_style verlet");
+  if (exchangeStep_ >= 0 && update->dt != dt_)
+    error->fix_error(FLERR, this, "the time step may not change after the coupling has started. Keep timestep as it was");
+  findPartners();
+  findMovingGroups();
+  requireLastForce();
+}
+
+void FixCoupleFoam::findPartners()
+{
+  bodies_.clear();
+  for (int i = 0; i < modify->nfix; i++)
+    if (CoupledBody *body = dynamic_cast<CoupledBody *>(modify->fix[i])) bodies_.push_back(body);
+
+  shielding_ = NULL;
+  if (shieldingId_.empty()) return;
+  shielding_ = modify->find_fix_id(shieldingId_.c_str());
+  if (!shielding_ || strcmp(shielding_->style, "bond/parallel")) {
+    const std::string message = "shielding " + shieldingId_ + ": there is no fix bond/parallel of this ID. " +
+                                "Define it before the run, or leave the keyword out";
+    error->fix_error(FLERR, this, message.c_str());
+  }
+}
+
+/* ----------------------------------------------------------------------
+   particles that nobody integrates, or that fix freeze stops, have no acceleration
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::findMovingGroups()
+{
+  movingGroups_ = frozenGroups_ = 0;
+  for (int i = 0; i < modify->nfix; i++) {
+    const Fix *fix = modify->fix[i];
+    if (fix->time_integrate && !dynamic_cast<const CoupledBody *>(fix)) movingGroups_ |= fix->groupbit;
+    if (!strcmp(fix->style, "freeze")) frozenGroups_ |= fix->groupbit;
+    if (!strncmp(fix->style, "multisphere", 11) || !strncmp(fix->style, "rigid", 5)) {
+      const std::string message = std::string("cannot couple clumps of spheres (fix ") + fix->id + ", " + fix->style +
+                                  "). Bond the spheres with fix bond/parallel";
+      error->fix_error(FLERR, this, message.c_str());
+    }
+  }
+}
+
+/* ----------------------------------------------------------------------
+   the implicit force needs the sum of all others, so it must be added last
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::requireLastForce()
+{
+  for (int i = modify->my_index(this) + 1; i < modify->nfix; i++) {
+    const Fix *fix = modify->fix[i];
+    const bool harmless = !strcmp(fix->style, "freeze") || !strncmp(fix->style, "store", 5) ||
+                          !strncmp(fix->style, "massflow", 8) || dynamic_cast<const CoupledBody *>(fix);
+    if ((modify->fmask[i] & POST_FORCE) && !harmless) {
+      const std::string message = std::string("fix ") + fix->id + " (" + fix->style + ") comes later and changes forces. " +
+                                  "Write fix couple/foam after it: it needs the sum of all other forces";
+      error->fix_error(FLERR, this, message.c_str());
+    }
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::setup(int)
+{
+  // `run 0` only asks for the forces; the coupling starts with the first run that moves
+  if (exchangeStep_ < 0 && update->nsteps > 0) {
+    try {
+      startCoupling();
+      exchange();
+    } catch (const std::exception &e) {
+      stop(e.what());
+    }
+  }
+  applyFluid(0);
+}
+
+void FixCoupleFoam::post_force(int)
+{
+  const double start = MPI_Wtime();
+  applyFluid(0.5 * update->dt);
+  forceWall_ += MPI_Wtime() - start;
+}
+
+void FixCoupleFoam::end_of_step()
+{
+  if (exchangeStep_ < 0 || link_->finished() || update->ntimestep < exchangeStep_ + order_.substeps) return;
+  try {
+    exchange();
+  } catch (const std::exception &e) {
+    stop(e.what());
+  }
+}
+
+void FixCoupleFoam::reset_timestep(bigint newStep, bigint oldStep)
+{
+  if (exchangeStep_ >= 0) exchangeStep_ += newStep - oldStep;
+}
+
+/* ----------------------------------------------------------------------
+   impulseWeight: share of the step's force that acts before and after the positions move, dt/2; 0 in a set-up,
+   which only renews the force for the step to come
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::applyFluid(double impulseWeight)
+{
+  double **v = atom->v, **f = atom->f, **omega = atom->omega, **torque = atom->torque;
+  const double *radius = atom->radius, *rmass = atom->rmass;
+  const int *mask = atom->mask;
+  const double dt = update->dt;
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    Carried &p = carried_[i];
+    const bool moves = (mask[i] & movingGroups_) && !(mask[i] & frozenGroups_);
+    const Vec3 reaction = moves ? frazil::reactionOnMoving(p.fluid, vec(f[i]), vec(v[i]), rmass[i], dt)
+                                : frazil::reactionOnHeld(p.fluid, vec(v[i]));
+    const double inertia = momentOfInertia * rmass[i] * radius[i] * radius[i];
+    const Vec3 spin = moves ? frazil::torqueOnMoving(p.fluid, vec(torque[i]), vec(omega[i]), inertia, dt)
+                            : p.fluid.spinCoefficient * (p.fluid.fluidSpin - vec(omega[i]));
+    const Vec3 push = p.fluid.passiveForce + reaction;
+    add(f[i], push);
+    add(torque[i], spin);
+
+    const Vec3 received = impulseWeight * (p.reaction + reaction);
+    p.impulse += received;
+    impulse_ += received;
+    p.reaction = reaction;
+
+    double *shown = array_atom[i];
+    shown[0] = push.x, shown[1] = push.y, shown[2] = push.z;
+    shown[3] = spin.x, shown[4] = spin.y, shown[5] = spin.z;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::startCoupling()
+{
+  startWall_ = MPI_Wtime();
+  dt_ = update->dt;
+  const frazil::FoamHello foam = link_->handshake(hello());
+  grid_.reset(new frazil::CoarseGrid(foam.coarse, foam.cellSize, int(foam.ranks), foam.gravity));
+  if (!historyFile_.empty())
+    history_.reset(new CouplingHistory(lmp, historyFile_, fragmentEvery_, restartTime_ >= 0));
+  say("couple/foam: coupled with frazilFoam on " + std::to_string(foam.ranks) + " rank(s), coarse grid " +
+      std::to_string(grid_->cells()[0]) + " x " + std::to_string(grid_->cells()[1]) + " x " +
+      std::to_string(grid_->cells()[2]) + " cells\n");
+}
+
+/* ----------------------------------------------------------------------
+   collective: equal on all ranks
+------------------------------------------------------------------------- */
+
+frazil::DemHello FixCoupleFoam::hello()
+{
+  frazil::DemHello h;
+  h.units = update->unit_style;
+  if (Fix *gravity = modify->find_fix_style_strict("gravity", 0))
+    static_cast<FixGravity *>(gravity)->get_gravity(&h.gravity.x);
+  h.startTime = update->ntimestep * dt_;
+  h.endTime = update->endstep * dt_;
+  h.deltaT = dt_;
+  h.fluidTime = restartTime_;
+  h.box = {vec(domain->boxlo), vec(domain->boxhi)};
+
+  // lower corner, negated upper corner, negated largest radius
+  double low[7] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, 0}, lowest[7];
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    for (int d = 0; d < 3; d++) {
+      low[d] = std::fmin(low[d], atom->x[i][d]);
+      low[3 + d] = std::fmin(low[3 + d], -atom->x[i][d]);
+    }
+    low[6] = std::fmin(low[6], -atom->radius[i]);
+  }
+  MPI_Allreduce(low, lowest, 7, MPI_DOUBLE, MPI_MIN, world);
+  h.reach = {vec(lowest), -vec(lowest + 3)};
+  h.largestRadius = -lowest[6];
+  h.particles = std::int64_t(group->count(igroup));
+  for (const CoupledBody *body : bodies_) {
+    const frazil::BodyState state = body->bodyState();
+    h.bodies.push_back({state.name, state.volume});
+  }
+  return h;
+}
+
+/* ----------------------------------------------------------------------
+   one exchange, at the end of a DEM step that reaches the fluid's time
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::exchange()
+{
+  const double start = MPI_Wtime();
+  const frazil::StepOrder order = link_->swap(report());
+  checkClock(order);
+  order_ = order;
+  exchangeStep_ = update->ntimestep;
+  if (order.written && !restartFile_.empty()) {
+    // before the impulses are handed over: a continued fluid has not seen them either
+    std::string file = restartFile_;
+    const size_t star = file.find('*');
+    if (star != std::string::npos) file.replace(star, 1, std::to_string(update->ntimestep));
+    WriteRestart(lmp).write(&file[0]);
+  }
+  if (!order.finish) {
+    gatherRecords();
+    link_->sendParticles(records_, *grid_);
+    takeReplies();
+    exchangeBodies();
+  }
+  exchangeWall_ += MPI_Wtime() - start;
+  if (history_) history_->write(order_, MPI_Wtime() - startWall_);
+  if (order.finish) endRun();
+}
+
+frazil::StepReport FixCoupleFoam::report()
+{
+  const double pi = 3.14159265358979323846;
+  double mine[5] = {0, impulse_.x, impulse_.y, impulse_.z, 0}, sum[5];
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double r = atom->radius[i];
+    mine[0] += 4.0 / 3.0 * pi * r * r * r;
+    mine[4] += 1;
+  }
+  MPI_Allreduce(mine, sum, 5, MPI_DOUBLE, MPI_SUM, world);
+  frazil::StepReport r;
+  r.time = update->ntimestep * dt_;
+  r.solidVolume = sum[0];
+  r.impulse = vec(sum + 1);
+  r.particles = std::int64_t(sum[4]);
+  return r;
+}
+
+/* ----------------------------------------------------------------------
+   both count the same steps; a drift would be a fault of one of the programs
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::checkClock(const frazil::StepOrder &order)
+{
+  const double expected = exchangeStep_ < 0 ? order.time : order_.time + order_.substeps * dt_;
+  if (std::fabs(order.time - expected) > 0.5 * dt_)
+    throw std::runtime_error("frazilFoam stands at " + std::to_string(order.time) + " s, frazilDem at " +
+                             std::to_string(expected) + " s of fluid time. The fluid's step must be a whole number of " +
+                             "DEM steps");
+  if (!order.finish && order.substeps < 1)
+    throw std::runtime_error("frazilFoam ordered a step of " + std::to_string(order.substeps) + " DEM steps");
+}
+
+void FixCoupleFoam::gatherRecords()
+{
+  records_.clear();
+  recordOf_.clear();
+  const int *mask = atom->mask;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    frazil::ParticleRecord r;
+    r.id = atom->tag[i];
+    r.position = vec(atom->x[i]);
+    r.velocity = vec(atom->v[i]);
+    r.angularVelocity = vec(atom->omega[i]);
+    r.impulse = carried_[i].impulse;
+    r.radius = atom->radius[i];
+    if (shielding_) {
+      const double *bonds = shielding_->array_atom[i];  // intact, initial
+      r.exposure = bonds[1] > 0 ? 1 - bonds[0] / bonds[1] : 1;
+    }
+    records_.push_back(r);
+    recordOf_.push_back(i);
+    carried_[i].impulse = Vec3();
+  }
+  impulse_ = Vec3();
+}
+
+void FixCoupleFoam::takeReplies()
+{
+  link_->receiveReplies(replies_);
+  for (size_t k = 0; k < replies_.size(); k++) carried_[recordOf_[k]].fluid = replies_[k];
+}
+
+void FixCoupleFoam::exchangeBodies()
+{
+  std::vector<frazil::BodyState> states;
+  for (const CoupledBody *body : bodies_) states.push_back(body->bodyState());
+  link_->sendBodies(states);
+  const std::vector<frazil::BodyLoad> loads = link_->receiveBodyLoads();
+  if (loads.size() != bodies_.size())
+    throw std::runtime_error("frazilFoam sent the loads of " + std::to_string(loads.size()) + " bodies, not of " +
+                             std::to_string(bodies_.size()));
+  for (size_t b = 0; b < bodies_.size(); b++) bodies_[b]->setFluidLoad(loads[b]);
+}
+
+/* ----------------------------------------------------------------------
+   frazilFoam has reached its end: the run stops after this step with its output, the script after this run
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::endRun()
+{
+  say("couple/foam: frazilFoam has reached its end, fluid time " + std::to_string(order_.time) + " s. The run ends here\n");
+  SignalHandler::request_quit = true;
+  output->next = output->next_thermo = update->ntimestep;
+  update->nsteps = int(update->ntimestep - update->firststep);
+  printTimers();
+}
+
+void FixCoupleFoam::printTimers()
+{
+  double mine[4] = {MPI_Wtime() - startWall_, exchangeWall_, link_->waited(), forceWall_}, longest[4];
+  MPI_Reduce(mine, longest, 4, MPI_DOUBLE, MPI_MAX, 0, world);
+  const double total = longest[0], work = std::fmax(longest[1] - longest[2], 0);
+  char table[800];
+  snprintf(table, sizeof table,
+           "couple/foam: wall time of frazilDem since the handshake (longest of all ranks)\n"
+           "  whole run            %10.3f s\n"
+           "  waiting for the fluid%10.3f s  %5.1f %%\n"
+           "  exchange             %10.3f s  %5.1f %%\n"
+           "  fluid force          %10.3f s  %5.1f %%\n"
+           "FRAZIL_TIMERS side=dem wall=%.4f waiting=%.4f exchange=%.4f force=%.4f\n",
+           total, longest[2], 100 * longest[2] / total, work, 100 * work / total, longest[3], 100 * longest[3] / total,
+           total, longest[2], work, longest[3]);
+  say(table);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixCoupleFoam::fluidTimeNow() const
+{
+  if (exchangeStep_ < 0) return restartTime_;
+  return order_.time + (update->ntimestep - exchangeStep_) * dt_;
+}
+
+double FixCoupleFoam::compute_vector(int n)
+{
+  if (n == 0) return fluidTimeNow();
+  if (n == 1) return double(order_.substeps);
+  if (forceStep_ != update->ntimestep) {
+    double mine[3] = {0, 0, 0};
+    for (int i = 0; i < atom->nlocal; i++)
+      if (atom->mask[i] & groupbit)
+        for (int d = 0; d < 3; d++) mine[d] += array_atom[i][d];
+    MPI_Allreduce(mine, total_, 3, MPI_DOUBLE, MPI_SUM, world);
+    forceStep_ = update->ntimestep;
+  }
+  return total_[n - 2];
+}
+
+void FixCoupleFoam::say(const std::string &message)
+{
+  if (comm->me != 0) return;
+  if (screen) fputs(message.c_str(), screen), fflush(screen);
+  if (logfile) fputs(message.c_str(), logfile), fflush(logfile);
+}
+
+/* ----------------------------------------------------------------------
+   the failure may be of one rank only, so not error->all; the partner is told the reason
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::stop(const std::string &message)
+{
+  if (logfile) fprintf(logfile, "ERROR: Fix couple/foam (id %s): %s\n", id, message.c_str()), fflush(logfile);
+  frazil::World::instance().fail("Fix couple/foam (id " + std::string(id) + "): " + message);
+}

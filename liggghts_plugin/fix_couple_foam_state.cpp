@@ -1,0 +1,95 @@
+/* fix couple/foam: what each particle carries, as it is sorted, migrates and goes through restart files. */
+
+#include <cstring>
+
+#include "atom.h"
+#include "comm.h"
+#include "fix_couple_foam.h"
+#include "coupling_history.h"
+#include "memory.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+double FixCoupleFoam::memory_usage()
+{
+  return double(atom->nmax) * (CARRIED + FORCES) * sizeof(double) +
+         double(records_.capacity()) * (sizeof(frazil::ParticleRecord) + sizeof(frazil::ParticleReply) + sizeof(int));
+}
+
+void FixCoupleFoam::grow_arrays(int nmax)
+{
+  carried_.resize(nmax);
+  memory->grow(array_atom, nmax, FORCES, "couple/foam:array_atom");
+}
+
+void FixCoupleFoam::copy_arrays(int i, int j, int)
+{
+  carried_[j] = carried_[i];
+  memcpy(array_atom[j], array_atom[i], FORCES * sizeof(double));
+}
+
+// a particle inserted during a fluid step feels the fluid from the next exchange on
+void FixCoupleFoam::set_arrays(int i)
+{
+  carried_[i] = Carried();
+  memset(array_atom[i], 0, FORCES * sizeof(double));
+}
+
+int FixCoupleFoam::pack_exchange(int i, double *buf)
+{
+  memcpy(buf, &carried_[i], sizeof(Carried));
+  memcpy(buf + CARRIED, array_atom[i], FORCES * sizeof(double));
+  return CARRIED + FORCES;
+}
+
+int FixCoupleFoam::unpack_exchange(int i, double *buf)
+{
+  memcpy(static_cast<void *>(&carried_[i]), buf, sizeof(Carried));
+  memcpy(array_atom[i], buf + CARRIED, FORCES * sizeof(double));
+  return CARRIED + FORCES;
+}
+
+/* ----------------------------------------------------------------------
+   restart: the fluid time, and per particle the same as in an exchange
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::write_restart(FILE *fp)
+{
+  const double time = fluidTimeNow();
+  if (comm->me != 0) return;
+  const int size = sizeof(time);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&time, sizeof(double), 1, fp);
+}
+
+void FixCoupleFoam::restart(char *buf)
+{
+  memcpy(&restartTime_, buf, sizeof(double));
+}
+
+int FixCoupleFoam::pack_restart(int i, double *buf)
+{
+  buf[0] = size_restart(i);
+  pack_exchange(i, buf + 1);
+  return size_restart(i);
+}
+
+void FixCoupleFoam::unpack_restart(int nlocal, int nth)
+{
+  double *extra = atom->extra[nlocal];
+  int m = 0;
+  for (int i = 0; i < nth; i++) m += static_cast<int>(extra[m]);
+  unpack_exchange(nlocal, extra + m + 1);
+  impulse_ += carried_[nlocal].impulse;
+}
+
+int FixCoupleFoam::size_restart(int)
+{
+  return 1 + CARRIED + FORCES;
+}
+
+int FixCoupleFoam::maxsize_restart()
+{
+  return size_restart(0);
+}
