@@ -59,7 +59,7 @@ void CouplingHistory::writeHeader()
   const size_t bodies = bodyFixes().size();
   fprintf(out_, "time");
   for (const char *name : bodyNames) fprintf(out_, ",%s", name);
-  fprintf(out_, ",bonds_intact,broken_tension,broken_shear,eta,fluid_dt,substeps,wall");
+  fprintf(out_, ",bonds_intact,broken_tension,broken_shear,eta,fluid_dt,substeps,wall,dem_waited,foam_waited");
   for (size_t b = 1; b < bodies; b++)
     for (const char *name : bodyNames) fprintf(out_, ",%s_%s", bodyFixes()[b]->id, name);
   fprintf(out_, "\n");
@@ -73,7 +73,7 @@ std::vector<Fix *> CouplingHistory::bodyFixes() const
   return list;
 }
 
-void CouplingHistory::write(const frazil::StepOrder &order, double wall)
+void CouplingHistory::write(const frazil::StepOrder &order, double wall, double waited)
 {
   const std::vector<Fix *> bodies = bodyFixes();
   std::vector<double> row(1, order.time);
@@ -87,6 +87,8 @@ void CouplingHistory::write(const frazil::StepOrder &order, double wall)
   row.push_back(order.deltaT);
   row.push_back(double(order.substeps));
   row.push_back(wall);
+  row.push_back(waited);
+  row.push_back(order.waited);
   for (size_t b = 1; b < bodies.size(); b++)
     for (int c : bodyColumns) row.push_back(bodies[b]->compute_vector(c));
   lines_++;

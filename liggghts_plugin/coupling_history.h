@@ -21,8 +21,9 @@ class CouplingHistory : protected Pointers {
   CouplingHistory(LAMMPS *, const std::string &file, int fragmentEvery, bool append);
   ~CouplingHistory();
 
-  // line for the exchange at the order's time; wall: seconds since the handshake
-  void write(const frazil::StepOrder &order, double wall);
+  // line for the exchange at the order's time; wall: seconds since the handshake; waited: seconds of them
+  // that frazilDem has waited
+  void write(const frazil::StepOrder &order, double wall, double waited);
 
  private:
   void open(const std::string &file, bool append);

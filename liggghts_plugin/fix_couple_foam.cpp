@@ -345,7 +345,7 @@ void FixCoupleFoam::exchange()
     exchangeBodies();
   }
   exchangeWall_ += MPI_Wtime() - start;
-  if (history_) history_->write(order_, MPI_Wtime() - startWall_);
+  if (history_) history_->write(order_, MPI_Wtime() - startWall_, link_->waited());
   if (order.finish) endRun();
 }
 

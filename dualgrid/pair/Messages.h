@@ -29,6 +29,7 @@ struct StepOrder {
     std::int64_t substeps = 0;  ///< DEM steps in it
     std::int64_t finish = 0;    ///< 1: the fluid has reached its end, no step follows
     std::int64_t written = 0;   ///< 1: the fluid has written its fields at `time`, so that frazilDem writes a restart file
+    double waited = 0;          ///< wall time that frazilFoam has waited for frazilDem so far [s]
 };
 
 /// frazilDem's report at the start of a fluid step.
