@@ -1,0 +1,258 @@
+#include "fluidCoupling.H"
+#include "couplingSettings.H"
+#include "pairExchange.H"
+#include "prescribedMotion.H"
+#include "IOdictionary.H"
+#include "zeroGradientFvPatchFields.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+frazil::Vec3 vec3(const Foam::vector& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
+
+//- Density and dynamic viscosity of phase number n of transportProperties
+frazil::Phase phase(const Foam::dictionary& transport, const Foam::label n)
+{
+    using namespace Foam;
+
+    const wordList names(transport.get<wordList>("phases"));
+    const dictionary& dict = transport.subDict(names[n]);
+    const scalar rho = dimensionedScalar("rho", dimDensity, dict).value();
+    const scalar nu = dimensionedScalar("nu", dimViscosity, dict).value();
+    return {rho, rho*nu};
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fluidCoupling> Foam::fluidCoupling::New
+(
+    const fvMesh& mesh,
+    const dictionary& transportProperties,
+    const dimensionedVector& g
+)
+{
+    IOdictionary properties
+    (
+        IOobject
+        (
+            "couplingProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    if (!properties.typeHeaderOk<IOdictionary>(true))
+    {
+        return nullptr;
+    }
+
+    return autoPtr<fluidCoupling>
+    (
+        new fluidCoupling(mesh, properties, transportProperties, g)
+    );
+}
+
+
+Foam::fluidCoupling::fluidCoupling
+(
+    const fvMesh& mesh,
+    const dictionary& couplingProperties,
+    const dictionary& transportProperties,
+    const dimensionedVector& g
+)
+:
+    mesh_(mesh),
+    fluidFraction_
+    (
+        IOobject
+        (
+            "fluidFraction",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedScalar(dimless, 1),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    particleForce_
+    (
+        IOobject
+        (
+            "particleForce",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedVector(dimForce/dimVolume, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    fluidFractionRead_(fluidFraction_.headerOk())
+{
+    const dictionary bodies(couplingProperties.subOrEmptyDict("bodies"));
+    if (!bodies.empty())
+    {
+        bodies_.reset(new immersedBodies(mesh, bodies));
+        bodies_->place(loadedStates());
+    }
+
+    const frazil::Settings settings(couplingSettings(couplingProperties));
+    if (settings.flag("coupling", true))
+    {
+        exchange_.reset
+        (
+            new pairExchange
+            (
+                mesh,
+                settings,
+                phase(transportProperties, 0),
+                phase(transportProperties, 1),
+                vec3(g.value()),
+                bodyHellos()
+            )
+        );
+    }
+    else
+    {
+        settings.finish();
+        motion_.reset(new prescribedMotion(bodies, loadedStates()));
+    }
+}
+
+
+Foam::fluidCoupling::~fluidCoupling()
+{}
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+std::vector<frazil::BodyState> Foam::fluidCoupling::loadedStates() const
+{
+    if (bodies_.valid())
+    {
+        return bodies_->asLoaded();
+    }
+    return {};
+}
+
+
+std::vector<frazil::BodyHello> Foam::fluidCoupling::bodyHellos() const
+{
+    std::vector<frazil::BodyHello> hellos;
+    for (const frazil::BodyState& body : loadedStates())
+    {
+        hellos.push_back({body.name, body.volume});
+    }
+    return hellos;
+}
+
+
+void Foam::fluidCoupling::updateParticles()
+{
+    const frazil::FineSource& source = exchange_->source();
+
+    // Trigger the storage of the old value before the new one comes in
+    fluidFraction_.storeOldTimes();
+
+    scalarField& alphaf = fluidFraction_.primitiveFieldRef();
+    vectorField& force = particleForce_.primitiveFieldRef();
+    const scalarField& V = mesh_.V();
+
+    forAll(alphaf, celli)
+    {
+        const frazil::Vec3& f = source.force[celli];
+        alphaf[celli] = 1 - source.solidFraction[celli];
+        force[celli] = vector(f.x, f.y, f.z)/V[celli];
+    }
+
+    fluidFraction_.correctBoundaryConditions();
+    particleForce_.correctBoundaryConditions();
+
+    // At the very start the particles have always been where they are
+    if (firstStep_ && !fluidFractionRead_)
+    {
+        fluidFraction_.oldTime() == fluidFraction_;
+    }
+}
+
+
+void Foam::fluidCoupling::updateBodies
+(
+    const std::vector<frazil::BodyState>& states
+)
+{
+    // frazilDem may have moved its surfaces before the coupling began
+    if (firstStep_)
+    {
+        bodies_->place(states);
+    }
+    bodies_->move(states, deltaT_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fluidCoupling::beginStep
+(
+    const flowOnParticles& flow,
+    const scalar deltaT
+)
+{
+    deltaT_ = exchange_ ? exchange_->exchange(flow, deltaT) : deltaT;
+    return deltaT_;
+}
+
+
+void Foam::fluidCoupling::update()
+{
+    if (exchange_)
+    {
+        updateParticles();
+    }
+    if (bodies_.valid())
+    {
+        updateBodies(exchange_ ? exchange_->bodyStates() : motion_->states());
+    }
+    if (motion_)
+    {
+        motion_->advance(deltaT_);
+    }
+    firstStep_ = false;
+}
+
+
+void Foam::fluidCoupling::endStep(const std::vector<frazil::BodyLoad>& loads)
+{
+    if (exchange_)
+    {
+        exchange_->setBodyLoads(loads);
+    }
+}
+
+
+void Foam::fluidCoupling::finish()
+{
+    if (exchange_)
+    {
+        exchange_->finish();
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,282 @@
+#include "pairExchange.H"
+#include "coarsePieces.H"
+#include "Pstream.H"
+#include "Time.H"
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+double wallTime()
+{
+    using namespace std::chrono;
+    return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
+
+
+//- Foam::vector and frazil::Vec3 are both three doubles in a row
+const frazil::Vec3* asVec3(const Foam::vectorField& field)
+{
+    static_assert(sizeof(Foam::vector) == sizeof(frazil::Vec3), "layout");
+    return reinterpret_cast<const frazil::Vec3*>(field.cdata());
+}
+
+
+frazil::Box boxOf(const Foam::boundBox& bb)
+{
+    return
+    {
+        {bb.min().x(), bb.min().y(), bb.min().z()},
+        {bb.max().x(), bb.max().y(), bb.max().z()}
+    };
+}
+
+
+frazil::Box coarseBox(const frazil::Settings& settings)
+{
+    const frazil::Settings& s = settings.sub("coarseGrid");
+    return {s.vec3("min"), s.vec3("max")};
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::pairExchange::connect
+(
+    const frazil::Vec3& gravity,
+    const std::vector<frazil::BodyHello>& bodies,
+    const scalar watchdog
+)
+{
+    frazil::FoamHello hello;
+    hello.gravity = gravity;
+    hello.startTime = mesh_.time().value();
+    hello.endTime = mesh_.time().endTime().value();
+    hello.mesh = boxOf(mesh_.bounds());
+    hello.coarse = grid_.box();
+    hello.cellSize = grid_.cellSize();
+    hello.watchdog = watchdog;
+    hello.bodies = bodies;
+
+    const frazil::DemHello dem = link_.handshake(hello);
+    demDeltaT_ = dem.deltaT;
+
+    if (dem.particles > 0)
+    {
+        frazil::requireReach(grid_, dem.reach);
+        if (step_.dualGrid())
+        {
+            frazil::requireCellSize(grid_, 2*dem.largestRadius);
+        }
+    }
+
+    Info<< "frazilDem: " << label(dem.particles) << " particles, "
+        << label(dem.bodies.size()) << " bodies, time step " << demDeltaT_
+        << " s; coarse grid " << grid_.cells()[0] << " x " << grid_.cells()[1]
+        << " x " << grid_.cells()[2] << " cells of " << grid_.cellSize()
+        << " m" << nl << endl;
+}
+
+
+void Foam::pairExchange::cutFineCells()
+{
+    if (step_.dualGrid())
+    {
+        step_.setParts(coarsePieces(mesh_, grid_));
+    }
+}
+
+
+void Foam::pairExchange::openLedger()
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    const bool restarted =
+        mesh_.time().timeIndex() > 0 && std::filesystem::exists("ledger.csv");
+
+    ledger_.reset
+    (
+        new OFstream
+        (
+            fileName("ledger.csv"),
+            IOstream::ASCII,
+            IOstream::currentVersion,
+            IOstream::UNCOMPRESSED,
+            restarted
+        )
+    );
+
+    if (!restarted)
+    {
+        ledger_() << frazil::Ledger::csvHeader().c_str() << endl;
+    }
+}
+
+
+frazil::StepOrder Foam::pairExchange::order(const scalar deltaT)
+{
+    const Time& time = mesh_.time();
+    const scalar left = time.endTime().value() - time.value();
+
+    // A hair more than whole, so that 10.0 DEM steps do not become 9
+    const double fitting = std::floor(deltaT/demDeltaT_*(1 + 1e-9));
+    const double untilEnd = std::max(1.0, std::round(left/demDeltaT_));
+
+    if (fitting < 1)
+    {
+        ++longSteps_;
+    }
+
+    frazil::StepOrder order;
+    order.time = time.value();
+    order.substeps =
+        std::int64_t(std::min(std::max(1.0, fitting), untilEnd));
+    order.deltaT = order.substeps*demDeltaT_;
+    order.waited = link_.waited();
+    return order;
+}
+
+
+frazil::FineFlow Foam::pairExchange::fineFlow(const flowOnParticles& flow) const
+{
+    // openFraction stays unset: αs is a share of the whole cell, so that a
+    // body that passes between the particles squeezes none of their volume
+    // out of the coarse cell (it would be clipped there)
+    frazil::FineFlow fine;
+    fine.count = mesh_.nCells();
+    fine.volume = mesh_.V().cdata();
+    fine.fluidFraction = flow.fluidShare.cdata();
+    fine.density = flow.rho.cdata();
+    fine.wetFraction = flow.alpha1.cdata();
+    fine.velocity = asVec3(flow.U);
+    fine.pressureGradient = asVec3(flow.gradP);
+    fine.viscousForce = asVec3(flow.viscousForce);
+    fine.acceleration = asVec3(flow.acceleration);
+    fine.vorticity = asVec3(flow.vorticity);
+    return fine;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pairExchange::pairExchange
+(
+    const fvMesh& mesh,
+    const frazil::Settings& settings,
+    const frazil::Phase& water,
+    const frazil::Phase& air,
+    const frazil::Vec3& gravity,
+    const std::vector<frazil::BodyHello>& bodies
+)
+:
+    mesh_(mesh),
+    grid_
+    (
+        coarseBox(settings),
+        settings.sub("coarseGrid").positive("cellSize"),
+        frazil::World::instance().ownSize(),
+        gravity
+    ),
+    step_(settings, grid_, water, air, frazil::World::instance().own()),
+    link_()
+{
+    const scalar watchdog = settings.positive("watchdog", 600);
+    settings.finish();
+
+    cutFineCells();
+    step_.setLocator
+    (
+        [&mesh](const frazil::Vec3& p)
+        {
+            return mesh.findCell(point(p.x, p.y, p.z));
+        }
+    );
+    connect(gravity, bodies, watchdog);
+    bodyLoads_.resize(bodies.size());
+    openLedger();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::pairExchange::exchange
+(
+    const flowOnParticles& flow,
+    const scalar deltaT
+)
+{
+    const double start = wallTime();
+
+    const frazil::StepOrder step = order(deltaT);
+    const frazil::StepReport report = link_.swap(step);
+    if (report.finish)
+    {
+        return 0;
+    }
+
+    const frazil::ParticleInbox& particles = link_.receiveParticles();
+    bodyStates_ = link_.receiveBodies();
+
+    if (mesh_.changing())
+    {
+        cutFineCells();
+    }
+
+    const frazil::Ledger ledger = step_.advance
+    (
+        particles.view(), fineFlow(flow), step.deltaT, replies_, source_
+    );
+
+    link_.sendReplies(replies_);
+    link_.sendBodyLoads(bodyLoads_);
+
+    if (ledger_.valid())
+    {
+        ledger_() << ledger.csvLine(step.time).c_str() << endl;
+    }
+
+    exchangeTime_ += wallTime() - start;
+    return step.deltaT;
+}
+
+
+void Foam::pairExchange::finish()
+{
+    link_.finish(mesh_.time().value());
+
+    if (longSteps_)
+    {
+        WarningInFunction
+            << longSteps_ << " fluid steps were one DEM step long and still "
+            << "above the Courant number asked for: reduce the DEM time step"
+            << endl;
+    }
+
+    const frazil::PhaseTimer& timer = step_.timer();
+    const double total = mesh_.time().elapsedClockTime() + SMALL;
+    Info<< nl << "Coupling, wall time on the first fluid rank [s] and share of "
+        << "the run [%]" << nl;
+    for (int phase = 0; phase < frazil::PhaseTimer::phases; ++phase)
+    {
+        Info<< "    " << frazil::PhaseTimer::name(phase) << ' '
+            << timer.seconds(phase) << ' '
+            << 100*timer.seconds(phase)/total << nl;
+    }
+    const double rest = exchangeTime_ - timer.total() - link_.waited();
+    Info<< "    exchange " << rest << ' ' << 100*rest/total << nl
+        << "    waiting for frazilDem " << link_.waited() << ' '
+        << 100*link_.waited()/total << nl << endl;
+}
+
+
+// ************************************************************************* //
