@@ -85,7 +85,7 @@ Settings::Settings(std::string file, std::string path) : file_(std::move(file)),
 
 void Settings::set(const std::string& key, const std::string& value) { values_[key] = value; }
 
-Settings& Settings::sub(const std::string& key)
+Settings& Settings::addSub(const std::string& key)
 {
     auto& child = subs_[key];
     if (!child) child = std::make_unique<Settings>(file_, pathOf(key));

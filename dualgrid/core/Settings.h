@@ -22,8 +22,8 @@ class Settings
     Settings(std::string file, std::string path);
 
     void set(const std::string& key, const std::string& value);
-    /// The sub-dictionary `key`, created empty when the host writes into it.
-    Settings& sub(const std::string& key);
+    /// The sub-dictionary `key`, for the host to fill.
+    Settings& addSub(const std::string& key);
     /// The sub-dictionary `key`; an empty one when the user gave none, so that defaults apply.
     const Settings& sub(const std::string& key) const;
     bool has(const std::string& key) const;
