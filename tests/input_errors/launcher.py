@@ -19,7 +19,7 @@ system = pathlib.Path(sys.argv[1], "foam/system")
 system.mkdir(parents=True)
 (system / "controlDict").write_text("endTime 1;\\n")
 """
-HISTORY = """printf 'time,x,y,z,vx,vy,vz,fcy,ffy,broken_tension,broken_shear\\n0,0,0,0,0,-3,0,1,2,0,0\\n' >history.csv
+HISTORY = """printf 'time,x,y,z,vx,vy,vz,contact_fy,fluid_fy,broken_tension,broken_shear\\n0,0,0,0,0,-3,0,1,2,0,0\\n' >history.csv
 printf '0.5,0,-1,0,0,-2,0,1,2,3,4\\n' >>history.csv"""
 CASE = {"title": "t", "levels": {"demo": {"speed": 1.5, "name": "a"}}, "np": {"dem": 1, "foam": 1}}
 
