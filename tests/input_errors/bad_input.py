@@ -84,13 +84,13 @@ class BadInput(unittest.TestCase):
         for path in run.folder.rglob("*.stl"):
             facets = path.read_text().split("endfacet")
             path.write_text("endfacet".join(facets[:1] + facets[2:]))
-        self.fails(run, "open edge")
+        self.fails(run, "the surface is not closed; open edges")
 
     def test_body_without_surface(self):
         run = self.prepared("free_entry")
         for path in (run.folder / "foam/constant/triSurface").glob("*.stl"):
             path.unlink()
-        self.fails(run, ".stl")
+        self.fails(run, "projectile.stl", "cannot be opened")
 
     def test_body_on_one_side_only(self):
         run = self.prepared("free_entry")
@@ -100,13 +100,13 @@ class BadInput(unittest.TestCase):
     def test_body_without_mesh(self):
         run = self.prepared("free_entry")
         self.edit(self.script(run), r"(body/rigid.*\bmesh\s+)\S+", r"\1nosuch")
-        self.fails(run, "nosuch")
+        self.fails(run, "there is no fix 'nosuch', so the body has no mesh")
 
     def test_bonds_without_a_pair(self):
         run = self.prepared("settling_sphere")
-        bonds = ("fix lonely all bond/parallel young 1e8 stiffness_ratio 2 tensile_strength 1e6 shear_strength 1e6\n")
-        self.edit(self.script(run), r"^run\b", bonds + "run")
-        self.fails(run, "bond/parallel", "create_gap")
+        bonds = "fix lonely all bond/parallel young 1e8 stiffness_ratio 2 tensile_strength 1e6 shear_strength 1e6\n"
+        self.edit(self.script(run), r"^fix fluid\b", bonds + "fix fluid")
+        self.fails(run, "bond/parallel", "no pair of the group is in reach")
 
     def killed(self, program):
         """Kills the program with signal 9 in the middle of a run."""
