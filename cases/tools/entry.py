@@ -1,0 +1,60 @@
+"""What ice_entry and free_entry share: the body, the fluid's mesh and its numbers, so that they differ by the ice only.
+
+y is up, the water's surface is at y = 0, the body falls along the axis x = z = 0. SI units; D0 is the body's diameter.
+"""
+import math
+from pathlib import Path
+
+import folder
+import mesh
+import projectile
+
+D0 = 0.016
+LENGTH = 3.375 * D0
+CONE = math.radians(60)       # half-angle
+TIP_RADIUS = 0.0008
+SIDE, DEPTH, HEIGHT = 10 * D0, 32 * D0, 10 * D0  # half width of the water, its depth, the air above
+FOAM = Path(__file__).resolve().parents[1] / "ice_entry" / "foam"
+
+
+def write_projectile(run, parameters, tip_height):
+    """One STL for both programs, the tip at tip_height [m]."""
+    profile = projectile.meridian(D0, LENGTH, CONE, TIP_RADIUS, parameters["facets"])
+    surface = projectile.triangles(profile, parameters["facets"], (0.0, tip_height, 0.0))
+    for place in (run / "dem", run / "foam/constant/triSurface"):
+        projectile.write_stl(place / "projectile.stl", surface, "projectile")
+
+
+def coarse_box(parameters):
+    """Box of the coarse grid and of the particles: as wide as the fluid, deep enough for the whole path."""
+    cell = 2 * SIDE / parameters["coarse_cells"]
+    down, up = math.ceil(parameters["reach_below"] / cell), math.floor(HEIGHT / cell)
+    return cell, ((-SIDE, SIDE), (-down * cell, up * cell), (-SIDE, SIDE))
+
+
+def write_fluid(run, parameters):
+    """The fluid's case: even cells of D0/cells_per_diameter around the path and at the surface, growing outwards."""
+    size = D0 / parameters["cells_per_diameter"]
+    whole = lambda length: size * round(length / size)
+    core = whole(parameters["core_radius"])
+    across = mesh.axis(-SIDE, -core, core, SIDE, size, parameters["growth"])
+    along = mesh.axis(-DEPTH, -whole(parameters["core_depth"]), whole(parameters["core_height"]), HEIGHT, size,
+                      parameters["growth"])
+    cell, box = coarse_box(parameters)
+    longest = 0.3 * size / parameters["impact_speed"]
+    folder.copy_foam(FOAM, run, {
+        "coarse_min": tuple(low for low, _ in box), "coarse_max": tuple(high for _, high in box), "coarse_cell": cell,
+        "endTime": parameters["end_time"], "first_step": 0.2 * longest, "longest_step": longest,
+        "max_courant": parameters["max_courant"], "write_interval": parameters["write_interval"]})
+    mesh.write_block_mesh(run / "foam/system/blockMeshDict", ((-SIDE, SIDE), (-DEPTH, HEIGHT), (-SIDE, SIDE)),
+                          (across, along, across))
+    print(f"fluid: {mesh.cell_count(across, along, across)} cells, {1e3 * size:.3g} mm in the core")
+
+
+def check_cavity(run, result):
+    """The cavity: at the end there is air on the axis behind the body, where water stood at the start."""
+    lines = [line.split() for line in (run / "foam/postProcessing/axis/0/alpha.water").read_text().splitlines()
+             if not line.startswith("#")]
+    first, last = ([float(word) for word in line[1:]] for line in (lines[0], lines[-1]))
+    result.say(min(first) > 0.99 and min(last) < 0.1, "cavity: lowest water fraction on the axis behind the body",
+               f"{min(first):.3g} at the start, {min(last):.3g} at the end", "1 and below 0.1")

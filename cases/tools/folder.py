@@ -1,0 +1,40 @@
+"""Turns a case's dem/ and foam/ into a run folder with the level's numbers in it."""
+import json
+import re
+import shutil
+import sys
+from pathlib import Path
+
+
+def arguments():
+    """(run folder, parameters) of `prepare RUNFOLDER PARAMS.json`."""
+    if len(sys.argv) != 3:
+        sys.exit("usage: prepare RUNFOLDER PARAMS.json")
+    return Path(sys.argv[1]), json.loads(Path(sys.argv[2]).read_text())
+
+
+def copy_foam(source, run, numbers):
+    """foam/ with 0.orig as 0; in its files $name, OpenFOAM's own notation for a macro, becomes the number, so that the
+    run folder shows every value in its place."""
+    foam = run / "foam"
+    shutil.copytree(source, foam, dirs_exist_ok=True)
+    (foam / "0.orig").rename(foam / "0")
+    pattern = re.compile(r"\$(" + "|".join(numbers) + r")\b")
+    for path in [path for folder in ("0", "constant", "system") for path in (foam / folder).rglob("*") if path.is_file()]:
+        path.write_text(pattern.sub(lambda match: text(numbers[match.group(1)]), path.read_text()))
+    (foam / "constant/triSurface").mkdir(exist_ok=True)
+
+
+def copy_dem(script, run, numbers):
+    """dem/in.<case>, and dem/parameters, which it includes: one LIGGGHTS variable per number."""
+    (run / "dem").mkdir(parents=True, exist_ok=True)
+    shutil.copy(script, run / "dem")
+    lines = [f"variable {key} string {text(value)}\n" for key, value in numbers.items()]
+    (run / "dem/parameters").write_text("".join(lines))
+
+
+def text(value):
+    """A number with all digits that matter; triples as OpenFOAM writes them."""
+    if isinstance(value, (tuple, list)):
+        return "(" + " ".join(map(text, value)) + ")"
+    return f"{value:.10g}" if isinstance(value, float) else str(value)
