@@ -1,0 +1,297 @@
+/// The coupling step on 1, 2 and 4 ranks against the same step on one rank (MPI_COMM_SELF): replies, fields, ledger.
+///
+/// The fine mesh is shared among the ranks in stripes that do not follow the blocks of the coarse grid, its cells
+/// straddle coarse cells, it leaves a part of the coarse grid dry, and some particles sit exactly on rank boundaries.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "CouplingStep.h"
+
+using namespace frazil;
+
+namespace {
+
+const Phase water{1000, 1e-3}, air{1.2, 1.8e-5};
+const Vec3 gravity{0, 0, -9.81};
+const Box box{{0, 0, 0}, {6, 5, 5}};
+const double deltaT = 0.01;
+
+int rankOf(MPI_Comm comm)
+{
+    int rank;
+    MPI_Comm_rank(comm, &rank);
+    return rank;
+}
+
+int sizeOf(MPI_Comm comm)
+{
+    int size;
+    MPI_Comm_size(comm, &size);
+    return size;
+}
+
+/// 13 x 9 x 11 boxes over x < 4.6, water below z = 2.4; this rank's share of them, and where each is in the whole.
+struct FineMesh {
+    std::vector<int> whole;
+    std::vector<Box> cell;
+    std::vector<double> volume, epsilon, open, density, wet;
+    std::vector<Vec3> velocity, gradient, viscous, acceleration, vorticity;
+
+    FineMesh(int rank, int ranks, double length)
+    {
+        const int n[3] = {13, 9, 11};
+        for (int f = 0; f < n[0] * n[1] * n[2]; ++f) {
+            const int i[3] = {f % n[0], f / n[0] % n[1], f / n[0] / n[1]};
+            if ((i[0] + 2 * i[1] + i[2]) / 7 % ranks == rank) add(f, i, n, length);
+        }
+    }
+    void add(int f, const int* i, const int* n, double length)
+    {
+        const Vec3 size{length / n[0], box.max.y / n[1], box.max.z / n[2]};
+        const Vec3 low{i[0] * size.x, i[1] * size.y, i[2] * size.z};
+        whole.push_back(f);
+        cell.push_back({low, low + size});
+        volume.push_back(size.x * size.y * size.z);
+        open.push_back(f % 23 == 0 ? 0.0 : f % 19 == 0 ? 0.4 : 1.0);
+        epsilon.push_back(open.back() * (0.9 + 0.1 * std::sin(f)));
+        wet.push_back(low.z < 2.4 ? 1 : 0);
+        density.push_back(wet.back() > 0 ? water.density : air.density);
+        velocity.push_back({std::sin(f), 0.1 * i[0], std::cos(f)});
+        gradient.push_back(density.back() * gravity);
+        viscous.push_back({0.01 * f, 0, 1});
+        acceleration.push_back({0, std::cos(2 * f), 0});
+        vorticity.push_back({1, 2, std::sin(3 * f)});
+    }
+    FineFlow flow() const
+    {
+        return {volume.size(),   volume.data(),   epsilon.data(), open.data(),         density.data(), wet.data(),
+                velocity.data(), gradient.data(), viscous.data(), acceleration.data(), vorticity.data()};
+    }
+    std::vector<FinePiece> pieces(const CoarseGrid& grid) const
+    {
+        std::vector<FinePiece> pieces;
+        for (std::size_t f = 0; f < cell.size(); ++f) {
+            clipBox(cell[f], grid, [&](std::int64_t c, double v, const Vec3& x) {
+                pieces.push_back({int(f), c, v, x});
+            });
+        }
+        return pieces;
+    }
+    int cellAt(const Vec3& p) const
+    {
+        for (std::size_t f = 0; f < cell.size(); ++f) {
+            if (cell[f].contains(p)) return int(f);
+        }
+        return -1;
+    }
+};
+
+/// Spheres all over the coarse grid, those that `grid` gives to `owner`.
+struct Spheres {
+    std::vector<std::int64_t> id;
+    std::vector<Vec3> position, velocity, spin, impulse;
+    std::vector<double> radius, exposure;
+
+    Spheres(const CoarseGrid& grid, int owner, int step)
+    {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> u(0, 1);
+        for (int n = 0; n < 400; ++n) {
+            Vec3 p{6 * u(random), 5 * u(random), 5 * u(random)};
+            if (n % 9 == 0) p.x = 3; // where blocks meet
+            if (n % 10 == 0) p.y = 2;
+            if (n < 150) p = {1.2 + 0.5 * p.x / 6, 1.4 + 0.4 * p.y / 5, 1.3 + 0.2 * p.z / 5}; // a heap that is clipped
+            if (grid.ownerOf(p) != owner) continue;
+            id.push_back(n);
+            position.push_back(p);
+            velocity.push_back({0.1 * n, 1, -1});
+            spin.push_back({0, 0, 1});
+            radius.push_back(0.1 + 0.001 * (n % 50));
+            exposure.push_back(1);
+            impulse.push_back({std::sin(n + step), 2, std::cos(2 * n)});
+        }
+    }
+    ParticleView view() const
+    {
+        return {id.size(),   id.data(),     position.data(), velocity.data(),
+                spin.data(), radius.data(), exposure.data(), impulse.data()};
+    }
+};
+
+/// One coupling over a communicator.
+struct Coupling {
+    MPI_Comm comm;
+    CoarseGrid grid;
+    std::unique_ptr<FineMesh> mesh;
+    CouplingStep step;
+    std::vector<Interaction> replies;
+    std::vector<std::int64_t> id;
+    FineSource source;
+    Ledger ledger;
+
+    Coupling(MPI_Comm comm, const Settings& settings)
+        : comm(comm), grid(box, 1, sizeOf(comm), gravity), step(settings, grid, water, air, comm)
+    {
+    }
+    void advance(double length, int number)
+    {
+        mesh = std::make_unique<FineMesh>(rankOf(comm), sizeOf(comm), length);
+        step.setParts(mesh->pieces(grid));
+        step.setLocator([this](const Vec3& p) { return mesh->cellAt(p); });
+        const Spheres spheres(grid, rankOf(comm), number);
+        id = spheres.id;
+        ledger = step.advance(spheres.view(), mesh->flow(), deltaT, replies, source);
+    }
+};
+
+void expectSame(const Vec3& a, const Vec3& b, double scale)
+{
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-13 * scale);
+}
+
+/// The serial run holds all spheres in order of id, and all fine cells.
+void expectSameAsSerial(const Coupling& run, const Coupling& serial)
+{
+    ASSERT_EQ(serial.replies.size(), 400u);
+    for (std::size_t n = 0; n < run.id.size(); ++n) {
+        const Interaction &a = run.replies[n], &b = serial.replies[run.id[n]];
+        expectSame(a.passiveForce, b.passiveForce, 100);
+        EXPECT_NEAR(a.dragCoefficient, b.dragCoefficient, 1e-13 * (1 + b.dragCoefficient));
+        expectSame(a.fluidVelocity, b.fluidVelocity, 1);
+        EXPECT_NEAR(a.addedMass, b.addedMass, 1e-13 * (1 + b.addedMass));
+        expectSame(a.fluidAcceleration, b.fluidAcceleration, 1);
+        expectSame(a.fluidSpin, b.fluidSpin, 1);
+    }
+    double largest = 0;
+    for (const Vec3& force : serial.source.force) largest = std::max(largest, norm(force));
+    for (std::size_t f = 0; f < run.mesh->whole.size(); ++f) {
+        const int whole = run.mesh->whole[f];
+        EXPECT_NEAR(run.source.solidFraction[f], serial.source.solidFraction[whole], 1e-13);
+        expectSame(run.source.force[f], serial.source.force[whole], largest);
+    }
+    EXPECT_EQ(run.ledger.particles, 400);
+    EXPECT_EQ(run.ledger.dryParticles, serial.ledger.dryParticles);
+    EXPECT_EQ(run.ledger.clippedCells, serial.ledger.clippedCells);
+    EXPECT_NEAR(run.ledger.clippedVolume, serial.ledger.clippedVolume, 1e-13 * serial.ledger.particleVolume);
+    expectSame(run.ledger.unplaced, serial.ledger.unplaced, serial.ledger.impulseScale);
+}
+
+void expectClosed(const Ledger& ledger)
+{
+    EXPECT_GT(ledger.particleVolume, 0);
+    EXPECT_GT(ledger.impulseScale, 0);
+    EXPECT_LT(ledger.volumeErrorCoarse(), 1e-12);
+    EXPECT_LT(ledger.volumeErrorFine(), 1e-12);
+    EXPECT_LT(ledger.impulseErrorCoarse(), 1e-12);
+    EXPECT_LT(ledger.impulseErrorFine(), 1e-12);
+}
+
+void compareThreeSteps(const Settings& settings)
+{
+    Coupling run(MPI_COMM_WORLD, settings), serial(MPI_COMM_SELF, settings);
+    const double lengths[] = {4.6, 3.2, 6}; // the mesh shrinks, then floods what was dry
+    Vec3 carried;
+    for (int step = 0; step < 3; ++step) {
+        run.advance(lengths[step], step);
+        serial.advance(lengths[step], step);
+        expectSameAsSerial(run, serial);
+        expectClosed(run.ledger);
+        expectSame(run.ledger.carriedIn, carried, run.ledger.impulseScale);
+        carried = run.ledger.unplaced;
+        EXPECT_GT(run.ledger.clippedVolume, 0) << "the heap does not fit";
+        EXPECT_EQ(run.ledger.dryParticles > 0, step < 2 || !run.step.dualGrid());
+    }
+    if (run.step.dualGrid()) { EXPECT_EQ(norm(carried), 0) << "all impulse has found its fluid"; }
+}
+
+/// On the other ranks: only what fails.
+class FailurePrinter : public ::testing::EmptyTestEventListener
+{
+    void OnTestPartResult(const ::testing::TestPartResult& result) override
+    {
+        if (result.failed()) printf("rank %d: %s\n", rankOf(MPI_COMM_WORLD), result.summary());
+    }
+};
+
+} // namespace
+
+TEST(CouplingStep, DualGridAsInSerial)
+{
+    compareThreeSteps(Settings("constant/couplingProperties", ""));
+}
+
+TEST(CouplingStep, DualGridWithoutLimiterAsInSerial)
+{
+    Settings settings("constant/couplingProperties", "");
+    settings.addSub("prolongation").set("limiter", "none");
+    compareThreeSteps(settings);
+}
+
+TEST(CouplingStep, DirectAsInSerial)
+{
+    Settings settings("constant/couplingProperties", "");
+    settings.set("dualGrid", "off");
+    compareThreeSteps(settings);
+}
+
+TEST(CouplingStep, StillWaterGivesBuoyancyAlone)
+{
+    const Settings settings("constant/couplingProperties", "");
+    Coupling run(MPI_COMM_WORLD, settings);
+    run.advance(6, 0);
+    const Spheres spheres(run.grid, rankOf(MPI_COMM_WORLD), 0);
+    const double displaced = 4.0 / 3 * 3.14159265358979323846 * 9.81;
+    for (std::size_t n = 0; n < spheres.id.size(); ++n) {
+        if (spheres.position[n].z > 0.5) continue; // well below the surface: only water in the stencil
+        const double r = spheres.radius[n], viscousX = run.replies[n].passiveForce.x;
+        const double buoyancy = displaced * water.density * r * r * r;
+        EXPECT_NEAR(run.replies[n].passiveForce.z - displaced / 9.81 * r * r * r, buoyancy, 1e-13 * buoyancy);
+        EXPECT_GT(viscousX, 0);
+    }
+}
+
+TEST(CouplingStep, OneWayGivesTheFluidNothing)
+{
+    Settings settings("constant/couplingProperties", "");
+    settings.set("momentumExchange", "off");
+    Coupling run(MPI_COMM_WORLD, settings);
+    run.advance(6, 0);
+    for (const Vec3& force : run.source.force) EXPECT_EQ(norm(force), 0);
+    EXPECT_EQ(norm(run.ledger.given), 0);
+}
+
+TEST(CouplingStep, NamesTheParticleThatIsNotHere)
+{
+    const Settings settings("constant/couplingProperties", "");
+    Coupling run(MPI_COMM_SELF, settings);
+    const std::int64_t id = 17;
+    const Vec3 outside{7, 1, 1}, zero;
+    const double radius = 0.1, exposure = 1;
+    const ParticleView one{1, &id, &outside, &zero, &zero, &radius, &exposure, &zero};
+    try {
+        run.step.advance(one, FineFlow{}, deltaT, run.replies, run.source);
+        FAIL();
+    } catch (const std::exception& error) {
+        EXPECT_STREQ(error.what(),
+                     "constant/couplingProperties: coarseGrid: particle 17 at (7 1 1) is outside of this rank's share of "
+                     "the box (0 0 0) - (6 5 5). Move min and max outwards until the particles' reach lies inside.");
+    }
+}
+
+int main(int argc, char** argv)
+{
+    MPI_Init(&argc, &argv);
+    ::testing::InitGoogleTest(&argc, argv);
+    if (rankOf(MPI_COMM_WORLD) > 0) {
+        auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
+        delete listeners.Release(listeners.default_result_printer());
+        listeners.Append(new FailurePrinter);
+    }
+    int failed = RUN_ALL_TESTS();
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    MPI_Finalize();
+    return failed;
+}
