@@ -86,6 +86,28 @@ class Launcher(unittest.TestCase):
     def test_parameters_are_set(self):
         self.assertEqual(launcher.plan(self.arguments("--set", "speed=2")).params, {"speed": 2, "name": "a"})
 
+    def test_resume_takes_the_last_common_state(self):
+        """The fluid wrote 0.1 and was interrupted before it wrote 0.2, whose restart file is there."""
+        run = launcher.plan(self.arguments())
+        for name in ("foam/0/U", "foam/0.1/U", "dem/restart.10", "dem/restart.20"):
+            (run.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (run.folder / name).touch()
+        history = {"time": [0.0, 0.1, 0.2], "substeps": [10.0, 10.0, 10.0]}
+        self.assertEqual(launcher.restart_point(run, history), ("dem/restart.10", "0.1", 0.1))
+        (run.folder / "dem/restart.10").unlink()
+        with self.assertRaisesRegex(launcher.Failure, "no state that both programs have written"):
+            launcher.restart_point(run, history)
+
+    def test_resume_drops_what_will_be_written_again(self):
+        table = self.folder / "history.csv"
+        table.write_text("time,y\n0,1\n0.1,2\n0.2,3\n")
+        launcher.forget_after(table, 0.1)
+        self.assertEqual(table.read_text(), "time,y\n0,1\n")
+
+    def test_resume_of_nothing(self):
+        with self.assertRaisesRegex(launcher.Failure, "--resume: no run of toy"):
+            launcher.resume(self.arguments("--resume"))
+
     def test_decomposition_cuts_the_horizontal_axes(self):
         self.assertIn("n (3 1 2)", launcher.decomposition(6))
         self.assertIn("n (5 1 1)", launcher.decomposition(5))
