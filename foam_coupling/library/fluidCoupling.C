@@ -86,7 +86,7 @@ Foam::fluidCoupling::fluidCoupling
             IOobject::AUTO_WRITE
         ),
         mesh,
-        dimensionedScalar(dimless, 1.0),
+        dimensionedScalar("one", dimless, 1.0),
         zeroGradientFvPatchScalarField::typeName
     ),
     particleForce_
