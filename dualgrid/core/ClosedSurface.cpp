@@ -22,14 +22,14 @@ constexpr std::size_t binaryHeader = 84, binaryTriangle = 50;
 
 InputError notStl(const std::string& path, const std::string& problem)
 {
-    return {path, "surface", path, problem, "Export the surface again as STL (ascii or binary)."};
+    return {path, "", "", problem, "Export the surface again as STL (ascii or binary)."};
 }
 
 std::string readBytes(const std::string& path)
 {
     std::ifstream in(path, std::ios::binary);
     if (!in) {
-        throw InputError(path, "surface", path, "the file cannot be opened",
+        throw InputError(path, "", "", "the file cannot be opened",
                          "Check the path; it is taken relative to the folder the program runs in.");
     }
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -173,15 +173,15 @@ void checkEdges(const IndexedSurface& surface, const std::string& file, const st
         }
     }
     if (open.count) {
-        throw InputError(file, key, file, "the surface is not closed; open edges: " + open.where(surface),
+        throw InputError(file, key, "", "the surface is not closed; open edges: " + open.where(surface),
                          "Close the surface in the program that made it (in OpenFOAM: surfaceCheck shows the holes).");
     }
     if (crowded.count) {
-        throw InputError(file, key, file, "edges with more than two triangles: " + crowded.where(surface),
+        throw InputError(file, key, "", "edges with more than two triangles: " + crowded.where(surface),
                          "Remove inner walls and doubled triangles: the surface must enclose one volume.");
     }
     if (turned.count) {
-        throw InputError(file, key, file,
+        throw InputError(file, key, "",
                          "neighbouring triangles disagree about the outside at edges: " + turned.where(surface),
                          "Make the normals consistent (in OpenFOAM: surfaceOrient).");
     }
@@ -234,12 +234,12 @@ IndexedSurface joinCorners(const std::vector<Triangle>& triangles)
 void checkClosed(const std::vector<Triangle>& triangles, const std::string& file, const std::string& key)
 {
     if (triangles.empty()) {
-        throw InputError(file, key, file, "the surface has no triangles", "Give a closed surface.");
+        throw InputError(file, key, "", "the surface has no triangles", "Give a closed surface.");
     }
     checkEdges(joinCorners(triangles), file, key);
     const double volume = massProperties(triangles, 1.0).volume;
     if (!(volume > 0)) {
-        throw InputError(file, key, file,
+        throw InputError(file, key, "",
                          fmt::format("the surface is inside out: its volume is {:.6g} m3", volume),
                          "Flip all normals so that they point out of the body.");
     }

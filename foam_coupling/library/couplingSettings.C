@@ -49,13 +49,17 @@ void copy(const Foam::dictionary& from, frazil::Settings& to)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-frazil::Settings Foam::couplingSettings(const dictionary& dict)
+frazil::Settings Foam::couplingSettings
+(
+    const dictionary& dict,
+    const std::string& path
+)
 {
     // The bodies' entries are read, and checked, by immersedBodies
     dictionary own(dict);
     own.remove("bodies");
 
-    frazil::Settings settings("constant/couplingProperties", "");
+    frazil::Settings settings("constant/couplingProperties", path);
     copy(own, settings);
     return settings;
 }
