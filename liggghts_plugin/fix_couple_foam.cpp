@@ -341,8 +341,9 @@ void FixCoupleFoam::exchange()
   if (!order.finish) {
     gatherRecords();
     link_->sendParticles(records_, *grid_);
+    sendBodies();
     takeReplies();
-    exchangeBodies();
+    takeBodyLoads();
   }
   exchangeWall_ += MPI_Wtime() - start;
   if (history_) history_->write(order_, MPI_Wtime() - startWall_, link_->waited());
@@ -414,11 +415,15 @@ void FixCoupleFoam::takeReplies()
   for (size_t k = 0; k < replies_.size(); k++) carried_[recordOf_[k]].fluid = replies_[k];
 }
 
-void FixCoupleFoam::exchangeBodies()
+void FixCoupleFoam::sendBodies()
 {
   std::vector<frazil::BodyState> states;
   for (const CoupledBody *body : bodies_) states.push_back(body->bodyState());
   link_->sendBodies(states);
+}
+
+void FixCoupleFoam::takeBodyLoads()
+{
   const std::vector<frazil::BodyLoad> loads = link_->receiveBodyLoads();
   if (loads.size() != bodies_.size())
     throw std::runtime_error("frazilFoam sent the loads of " + std::to_string(loads.size()) + " bodies, not of " +

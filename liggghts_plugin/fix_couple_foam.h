@@ -74,8 +74,9 @@ class FixCoupleFoam : public Fix {
   frazil::StepReport report();
   void checkClock(const frazil::StepOrder &order);
   void gatherRecords();
+  void sendBodies();
   void takeReplies();
-  void exchangeBodies();
+  void takeBodyLoads();
   void endRun();
   void printTimers();
 

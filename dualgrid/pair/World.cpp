@@ -108,9 +108,9 @@ void World::split()
     world = new World;
     world->side_ = declaredSide;
     world->readSizes();
+    std::set_terminate(atTerminate);
     if (world->coupled_) {
         std::atexit(atExit);
-        std::set_terminate(atTerminate);
     }
 }
 
@@ -156,7 +156,8 @@ void World::fail(const std::string& reason)
         if (ownRank_ != 0) {
             sleepFor(2 * grace);
         }
-        const std::string words = std::string(programName(side_)) + " failed (" + position_ + "): " + reason;
+        const std::string where = coupled_ ? " (" + position_ + ")" : "";
+        const std::string words = std::string(programName(side_)) + " failed" + where + ": " + reason;
         printLine(words);
         if (coupled_) {
             tellPartner(words);
@@ -200,13 +201,12 @@ void World::watchForFailure()
 void World::endAfterPartner(const std::string& words)
 {
     failing_ = true;
-    // The first rank writes this program's log; the others leave it the time to do so.
+    // The first rank writes this program's log. The partner is about to abort both; the call below is for the case
+    // that it does not get there.
     if (ownRank_ == 0) {
         printLine(std::string(programName(side_)) + " ends (" + position_ + ") because " + words);
-        sleepFor(0.2);
-    } else {
-        sleepFor(2 * grace);
     }
+    sleepFor(2 * grace);
     PMPI_Abort(MPI_COMM_WORLD, 1);
     std::_Exit(1);
 }
