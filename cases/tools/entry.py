@@ -13,6 +13,7 @@ D0 = 0.016
 LENGTH = 3.375 * D0
 CONE = math.radians(60)       # half-angle
 TIP_RADIUS = 0.0008
+CENTRE = 0.02848              # height of the centre of mass above the tip
 SIDE, DEPTH, HEIGHT = 10 * D0, 32 * D0, 10 * D0  # half width of the water, its depth, the air above
 FOAM = Path(__file__).resolve().parents[1] / "ice_entry" / "foam"
 
@@ -51,10 +52,13 @@ def write_fluid(run, parameters):
     print(f"fluid: {mesh.cell_count(across, along, across)} cells, {1e3 * size:.3g} mm in the core")
 
 
-def check_cavity(run, result):
-    """The cavity: at the end there is air on the axis behind the body, where water stood at the start."""
-    lines = [line.split() for line in (run / "foam/postProcessing/axis/0/alpha.water").read_text().splitlines()
-             if not line.startswith("#")]
-    first, last = ([float(word) for word in line[1:]] for line in (lines[0], lines[-1]))
-    result.say(min(first) > 0.99 and min(last) < 0.1, "cavity: lowest water fraction on the axis behind the body",
-               f"{min(first):.3g} at the start, {min(last):.3g} at the end", "1 and below 0.1")
+def check_cavity(run, history, result):
+    """The cavity: at the end there is air on the axis behind the tail, where water or ice stood at the start."""
+    lines = (run / "foam/postProcessing/axis/0/alpha.water").read_text().splitlines()
+    heights = [float(line.split()[4]) for line in lines if line.startswith("# Probe ")]
+    water = [float(word) for word in lines[-1].split()[1:]]
+    tail = history["y"][-1] + LENGTH - CENTRE
+    behind = [(value, height) for value, height in zip(water, heights) if height > tail]
+    lowest = min(behind, default=(1.0, 0.0))
+    result.say(lowest[0] < 0.1, f"cavity: lowest water fraction on the axis above the tail at {1e3 * tail:.3g} mm",
+               f"{lowest[0]:.3g} at {1e3 * lowest[1]:.3g} mm", "below 0.1")
