@@ -23,10 +23,17 @@ Description
 #include "CorrectPhi.H"
 #include "fvcSmooth.H"
 #include "alphaScheme.H"
+#include "bodyLoads.H"
+#include "flowAtParticles.H"
+#include "fluidCoupling.H"
 #include "openVolume.H"
+#include "program.H"
 
 int main(int argc, char *argv[])
+try
 {
+    joinPair(argc, argv);
+
     argList::addNote("Water, air, particles and immersed rigid bodies; interFoam without constant/couplingProperties");
 
     #include "postProcess.H"
@@ -44,6 +51,7 @@ int main(int argc, char *argv[])
 
     turbulence->validate();
     openVolume open(mesh);
+    #include "createCoupling.H"
 
     if (!LTS)
     {
@@ -68,9 +76,21 @@ int main(int argc, char *argv[])
             #include "setDeltaT.H"
         }
 
+        if (coupling.valid())
+        {
+            #include "beginStep.H"
+        }
+
         ++runTime;
 
         Info<< "Time = " << runTime.timeName() << nl << endl;
+
+        if (coupling.valid())
+        {
+            coupling->update();
+            open.update();
+            open.correctFlux(phi, p_rgh, pimple);
+        }
 
         while (pimple.loop())
         {
@@ -102,11 +122,25 @@ int main(int argc, char *argv[])
             }
         }
 
+        if (coupling.valid())
+        {
+            #include "endStep.H"
+        }
+
         runTime.write();
         runTime.printExecutionTime(Info);
+    }
+
+    if (coupling.valid())
+    {
+        coupling->finish();
     }
 
     Info<< "End\n" << endl;
 
     return 0;
+}
+catch (const std::exception& error)
+{
+    return Foam::failed(error);
 }

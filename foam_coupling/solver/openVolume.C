@@ -79,7 +79,7 @@ void openVolume::setFaces()
 
     if (bodies_)
     {
-        solid_() == neg0(max(start_(), end_()) - closedCell);
+        solid_() == neg(max(start_(), end_()) - divisible);
         faces_() *= bodies_->theta()*(1.0 - faceMax(solid_()));
         mergeSmallCells();
     }
@@ -129,7 +129,7 @@ void openVolume::mergeSmallCells()
 }
 
 
-tmp<volScalarField> openVolume::anchor() const
+tmp<volScalarField> openVolume::anchoring() const
 {
     return max(1.0 - 10.0*end_(), scalar(0));
 }
@@ -166,6 +166,7 @@ void openVolume::use
     start_ = cellField("epsilonStart", mesh_, one);
     end_ = cellField("epsilonEnd", mesh_, one);
     solid_ = cellField("solid", mesh_, dimensionedScalar(dimless, Zero));
+    anchor_ = cellField("anchor", mesh_, dimensionedVector(dimVelocity, Zero));
     blending_ = cellField("blending", mesh_, dimensionedVector(dimForce/dimVolume, Zero));
     faces_.reset(new surfaceScalarField("openFaces", fvc::interpolate(one*end_())));
     merged_.reset(new surfaceScalarField("mergedFaces", 0*faces_()));
@@ -198,7 +199,6 @@ void openVolume::update()
     if (bodies_)
     {
         end_() == end_()*(1.0 - bodies_->gamma());
-        end_() == end_()*pos(end_() - closedCell);
     }
     wholeStep();
     setFaces();
@@ -213,10 +213,13 @@ void openVolume::correctFlux
 ) const
 {
     const dimensionedScalar deltaT(mesh_.time().deltaT());
-    const surfaceScalarField conductance
+    const surfaceScalarField unit
     (
-        (faces_() + merged_())*dimensionedScalar("rAUf", dimTime/dimDensity, 1.0)
+        IOobject("unit", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("unit", dimTime/dimDensity, 1.0)
     );
+    const tmp<surfaceScalarField> conductance(faceCoefficient(unit));
 
     wordList types(p_rgh.boundaryField().size(), zeroGradientFvPatchScalarField::typeName);
     forAll(types, patchi)
@@ -236,12 +239,12 @@ void openVolume::correctFlux
     mesh_.setFluxRequired(pcorr.name());
 
     // What passed through faces that are closed now stays behind
-    phi *= pos(conductance);
+    phi *= pos(faces_() + merged_());
 
     while (pimple.correctNonOrthogonal())
     {
-        fvScalarMatrix pcorrEqn(fvm::laplacian(conductance, pcorr) == fvc::div(phi));
-        addSweptVolume(pcorrEqn, pcorr, conductance);
+        fvScalarMatrix pcorrEqn(fvm::laplacian(conductance(), pcorr) == fvc::div(phi));
+        addSweptVolume(pcorrEqn, pcorr, unit);
         pcorrEqn.setReference(0, 0);
         pcorrEqn.solve(mesh_.solver(pcorr.select(pimple.finalNonOrthogonalIter())));
 
@@ -377,12 +380,13 @@ tmp<surfaceScalarField> openVolume::faceCoefficient(const surfaceScalarField& rA
 }
 
 
-void openVolume::addForces(fvVectorMatrix& UEqn, const volScalarField& rho, const volVectorField& U) const
+void openVolume::addForces(fvVectorMatrix& UEqn, const volScalarField& rho, const volVectorField& U)
 {
     UEqn -= *particleForce_;
     if (bodies_)
     {
-        const volScalarField coefficient(anchor()*rho/mesh_.time().deltaT());
+        const volScalarField coefficient(anchoring()*rho/mesh_.time().deltaT());
+        anchor_() == U;
         UEqn += fvm::Sp(coefficient, U) - coefficient*U;
     }
 }
@@ -485,15 +489,9 @@ void openVolume::blendWithBodies(volVectorField& U, const volScalarField& rho)
     // 0 where half of the cell is open, 1 where less than a tenth is
     const volScalarField weight(min(max((0.5 - (1.0 - bodies_->gamma()))/0.4, scalar(0)), scalar(1)));
     const volVectorField change(weight*bodies_->constrained(bodies_->Ub() - U));
-    blending_() == end_()*rho*change/mesh_.time().deltaT();
+    blending_() == rho/mesh_.time().deltaT()*(end_()*change + anchoring()*(1.0 - solid_())*(anchor_() - U));
     U += change;
     U.correctBoundaryConditions();
-}
-
-
-tmp<volScalarField> openVolume::meanEpsilon() const
-{
-    return 0.5*(start_() + end_());
 }
 
 

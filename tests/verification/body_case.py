@@ -1,0 +1,159 @@
+"""Small cases with one immersed body for frazilFoam alone (`coupling off`): meshes, surfaces, dictionaries."""
+
+import math
+import pathlib
+
+HEADER = "FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
+
+
+def write(path, text, kind="dictionary"):
+    path = pathlib.Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(HEADER.format(kind=kind, name=path.name) + text)
+
+
+def revolve(profile, segments, centre):
+    """Triangles of the surface that the profile [(r, y), ...] makes around the y axis; r = 0 at both ends."""
+    def at(r, y, k):
+        a = 2*math.pi*k/segments
+        return (centre[0] + r*math.cos(a), centre[1] + y, centre[2] + r*math.sin(a))
+    triangles = []
+    for (r0, y0), (r1, y1) in zip(profile, profile[1:]):
+        for k in range(segments):
+            a, b, c, d = at(r0, y0, k), at(r0, y0, k + 1), at(r1, y1, k + 1), at(r1, y1, k)
+            if r0 > 0:
+                triangles.append((a, c, b))
+            if r1 > 0:
+                triangles.append((a, d, c))
+    return triangles
+
+
+def volume(triangles):
+    """Enclosed volume [m3]."""
+    return sum(a[0]*(b[1]*c[2] - b[2]*c[1]) + a[1]*(b[2]*c[0] - b[0]*c[2]) + a[2]*(b[0]*c[1] - b[1]*c[0])
+               for a, b, c in triangles)/6
+
+
+def write_stl(path, triangles):
+    path = pathlib.Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with open(path, "w") as out:
+        out.write("solid body\n")
+        for triangle in triangles:
+            out.write("facet normal 0 0 0\nouter loop\n")
+            for v in triangle:
+                out.write("vertex %.10g %.10g %.10g\n" % v)
+            out.write("endloop\nendfacet\n")
+        out.write("endsolid body\n")
+
+
+def sphere(diameter, centre, rings=64):
+    """Sphere about the y axis."""
+    r = diameter/2
+    profile = [(r*math.sin(math.pi*i/rings), -r*math.cos(math.pi*i/rings)) for i in range(rings + 1)]
+    profile[0], profile[-1] = (0.0, -r), (0.0, r)
+    return revolve(profile, 2*rings, centre)
+
+
+def cone(diameter, length, centre_tip, full_angle=120.0):
+    """Cone with its tip down and a cylinder above, about the y axis; centre_tip is the tip [m]."""
+    r = diameter/2
+    h = r/math.tan(math.radians(full_angle/2))
+    return revolve([(0.0, 0.0), (r, h), (r, length), (0.0, length)], 128, centre_tip)
+
+
+def box_mesh(lo, hi, cells):
+    """Dictionary of one block; the patch `top` is the +y face, all others `walls`."""
+    (x0, y0, z0), (x1, y1, z1) = lo, hi
+    return f"""scale 1;
+vertices (({x0} {y0} {z0}) ({x1} {y0} {z0}) ({x1} {y1} {z0}) ({x0} {y1} {z0})
+          ({x0} {y0} {z1}) ({x1} {y0} {z1}) ({x1} {y1} {z1}) ({x0} {y1} {z1}));
+blocks (hex (0 1 2 3 4 5 6 7) ({cells[0]} {cells[1]} {cells[2]}) simpleGrading (1 1 1));
+edges ();
+boundary
+(
+    top {{ type patch; faces ((3 7 6 2)); }}
+    walls {{ type wall; faces ((0 4 7 3) (2 6 5 1) (1 5 4 0) (0 3 2 1) (4 5 6 7)); }}
+);
+"""
+
+
+SCHEMES = """
+ddtSchemes { default Euler; }
+gradSchemes { default Gauss linear; }
+divSchemes
+{
+    div(rhoPhi,U) Gauss linearUpwind grad(U);
+    div(phi,alpha) Gauss vanLeer;
+    div(phirb,alpha) Gauss linear;
+    div(((rho*nuEff)*dev2(T(grad(U))))) Gauss linear;
+}
+laplacianSchemes { default Gauss linear corrected; }
+interpolationSchemes { default linear; }
+snGradSchemes { default corrected; }
+"""
+
+SOLUTION = """
+solvers
+{
+    "alpha.water.*"
+    {
+        nAlphaCorr 1; nAlphaSubCycles 1; cAlpha 1;
+        MULESCorr yes; nLimiterIter 5;
+        solver smoothSolver; smoother symGaussSeidel; tolerance 1e-13; relTol 0;
+    }
+    "pcorr.*" { solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0; maxIter 500; }
+    "p_rgh.*" { solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0; maxIter 500; }
+    "U.*" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-9; relTol 0; }
+}
+PIMPLE { momentumPredictor yes; nOuterCorrectors 1; nCorrectors 3; nNonOrthogonalCorrectors 0; }
+relaxationFactors { equations { ".*" 1; } }
+"""
+
+
+def control(end_time, delta_t, max_co=0.5, adjust="yes", write_interval=None):
+    return f"""
+application frazilFoam; startFrom startTime; startTime 0; stopAt endTime; endTime {end_time}; deltaT {delta_t};
+writeControl {"adjustableRunTime" if adjust == "yes" else "runTime"}; writeInterval {write_interval or end_time};
+purgeWrite 0; writeFormat ascii; writePrecision 16; writeCompression off; timeFormat general; timePrecision 10;
+runTimeModifiable no; adjustTimeStep {adjust}; maxCo {max_co}; maxAlphaCo {max_co}; maxDeltaT 1;
+"""
+
+
+def water_and_air(surface_tension=0.0725):
+    return f"""
+phases (water air);
+water {{ transportModel Newtonian; nu 1.79e-6; rho 1000; }}
+air {{ transportModel Newtonian; nu 1.314e-5; rho 1.294; }}
+sigma {surface_tension};
+"""
+
+
+def write_case(case, mesh, surface_y, times, bodies, gravity=9.81, top="open", sigma=0.0725, extra=""):
+    """A tank of water up to surface_y [m] (None: full) with an open top and the bodies' dictionary text."""
+    case = pathlib.Path(case)
+    write(case / "system/blockMeshDict", mesh)
+    write(case / "system/fvSchemes", SCHEMES)
+    write(case / "system/fvSolution", SOLUTION)
+    write(case / "system/controlDict", times)
+    write(case / "system/decomposeParDict", "numberOfSubdomains 2; method hierarchical; coeffs { n (2 1 1); }\n")
+    write(case / "constant/transportProperties", water_and_air(sigma))
+    write(case / "constant/turbulenceProperties", "simulationType laminar;\n")
+    write(case / "constant/g", f"dimensions [0 1 -2 0 0 0 0]; value (0 {-gravity} 0);\n", "uniformDimensionedVectorField")
+    write(case / "constant/couplingProperties", f"coupling off;\nbodies {{ {bodies} }}\n{extra}")
+    air_inlet = 1 if surface_y is None else 0
+    patches = "top {{ {} }} walls {{ {} }}"
+    write(case / "0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { "
+          + patches.format("type pressureInletOutletVelocity; value uniform (0 0 0);", "type slip;") + " }\n",
+          "volVectorField")
+    write(case / "0/p_rgh", "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { "
+          + patches.format("type totalPressure; p0 uniform 0;", "type fixedFluxPressure; value uniform 0;") + " }\n",
+          "volScalarField")
+    write(case / "0/alpha.water", f"dimensions [0 0 0 0 0 0 0]; internalField uniform {air_inlet}; boundaryField {{ "
+          + patches.format(f"type inletOutlet; inletValue uniform {air_inlet}; value uniform {air_inlet};",
+                           "type zeroGradient;") + " }\n", "volScalarField")
+    if surface_y is not None:
+        write(case / "system/setFieldsDict", f"""defaultFieldValues (volScalarFieldValue alpha.water 0);
+regions (boxToCell {{ box (-10 -10 -10) (10 {surface_y} 10); fieldValues (volScalarFieldValue alpha.water 1); }});
+""")
+    return case
