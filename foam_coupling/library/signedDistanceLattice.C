@@ -63,24 +63,15 @@ frazil::Box frazil::signedDistanceLattice::box() const
 
 frazil::Vec3 frazil::signedDistanceLattice::normal(const Vec3& p) const
 {
-    const place at = placeOf(p);
-    const double* v = values_.data() + at.node;
-    const std::size_t up = n_[0], far = up*n_[1];
-
-    const auto mix = [](double a, double b, double w) { return a + w*(b - a); };
-    const auto dx = [&](std::size_t i) { return v[i + 1] - v[i]; };
-    const auto x = [&](std::size_t i) { return mix(v[i], v[i + 1], at.x); };
-
-    Vec3 gradient
+    const double half = 0.5*spacing_;
+    Vec3 gradient;
+    for (int axis = 0; axis < 3; ++axis)
     {
-        mix(mix(dx(0), dx(up), at.y), mix(dx(far), dx(far + up), at.y), at.z),
-        mix(x(up) - x(0), x(far + up) - x(far), at.z),
-        mix(x(far) - x(0), x(far + up) - x(up), at.y)
-    };
-
-    gradient *= 1/spacing_;
-    const double beyond = norm(at.beyond);
-    if (beyond > 0) gradient = at.beyond/beyond;
+        Vec3 ahead = p, behind = p;
+        ahead[axis] += half;
+        behind[axis] -= half;
+        gradient[axis] = (distance(ahead) - distance(behind))/spacing_;
+    }
     const double steep = norm(gradient);
     return steep > 1e-3 ? gradient/steep : Vec3{};
 }

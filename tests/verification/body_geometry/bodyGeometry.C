@@ -11,7 +11,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
-#include "clockTime.H"
+#include "cpuTime.H"
 #include "immersedBodies.H"
 #include "syncTools.H"
 
@@ -160,13 +160,13 @@ void run(Time& runTime, const fvMesh& mesh, const label steps, const bool refine
         ++runTime;
         const scalar deltaT = bodies.largestDeltaT(states, 0.3);
         const scalarField last(bodies.gamma().primitiveField());
-        clockTime clock;
+        cpuTime clock;
         if (refine)
         {
             bodies.updateMesh();
         }
         bodies.move(states, deltaT);
-        spent += clock.timeIncrement();
+        spent += clock.cpuTimeIncrement();
 
         require(max(mag(bodies.gamma().oldTime().primitiveField() - last)) == 0, "old gamma is the last one");
         checkGuarantees(bodies);
@@ -183,7 +183,7 @@ void run(Time& runTime, const fvMesh& mesh, const label steps, const bool refine
             }
         }
     }
-    Info<< "time per step " << 1000*spent/max(steps, label(1)) << " ms, near cells "
+    Info<< "CPU time per step " << 1000*spent/max(steps, label(1)) << " ms, near cells "
         << returnReduce(bodies.size() ? bodies.cutOf(0).cells.size() : 0, sumOp<label>()) << endl;
 }
 

@@ -159,7 +159,7 @@ def cost(program):
     """16 cells per diameter: milliseconds per step (printed, not judged: machines differ)."""
     make("cost", {"cone": cone((0, 0, 0.008))}, omega="(0 0 0)", velocity="(3 2 -1)")
     output = on_ranks("cost", program, 1, "-steps", "40")
-    print(re.search(r"time per step.*", output).group(0))
+    print(re.search(r"CPU time per step.*", output).group(0))
     rows = sums(output)
     cut = [row[9] / row[8] - 1 for row in rows]
     print(f"volume cut / volume - 1: {min(cut):+.5f} to {max(cut):+.5f}")
