@@ -198,6 +198,8 @@ void FixCoupleFoam::requireLastForce()
 
 void FixCoupleFoam::setup(int)
 {
+  const bool continues = exchangeStep_ >= 0 || restartTime_ >= 0;
+  forceStep_ = -1;
   // `run 0` only asks for the forces; the coupling starts with the first run that moves
   if (exchangeStep_ < 0 && update->nsteps > 0) {
     try {
@@ -207,7 +209,8 @@ void FixCoupleFoam::setup(int)
       stop(e.what());
     }
   }
-  applyFluid(0);
+  if (continues) repeatFluid();
+  else applyFluid(0);
 }
 
 void FixCoupleFoam::post_force(int)
@@ -265,6 +268,19 @@ void FixCoupleFoam::applyFluid(double impulseWeight)
     double *shown = array_atom[i];
     shown[0] = push.x, shown[1] = push.y, shown[2] = push.z;
     shown[3] = spin.x, shown[4] = spin.y, shown[5] = spin.z;
+  }
+}
+
+/* ----------------------------------------------------------------------
+   the first half step of a continued run takes the force that it would have taken without the break
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::repeatFluid()
+{
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    add(atom->f[i], vec(array_atom[i]));
+    add(atom->torque[i], vec(array_atom[i] + 3));
   }
 }
 

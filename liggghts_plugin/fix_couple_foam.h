@@ -81,6 +81,7 @@ class FixCoupleFoam : public Fix {
   void printTimers();
 
   void applyFluid(double impulseWeight);
+  void repeatFluid();
   double fluidTimeNow() const;
 
   std::string shieldingId_, historyFile_, restartFile_;

@@ -25,7 +25,7 @@ def environment():
 def run(arguments, cwd=None, timeout=60):
     """Runs mpirun with these arguments; the timeout [s] is a failure that shows the output so far."""
     start = time.time()
-    with subprocess.Popen(COMMAND + [str(a) for a in arguments], cwd=cwd, env=environment(), text=True,
+    with subprocess.Popen(COMMAND + [str(a) for a in arguments], cwd=cwd, env=environment(), text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
         try:
             text, _ = process.communicate(timeout=timeout)
