@@ -61,7 +61,7 @@ inline Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
 FixBondParallel::FixBondParallel(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg), radiusFactor_(1), createGap_(0.01), weibullModulus_(0), weibullSeed_(0), tableNewer_(false),
       owned_(0), created_(false), restarted_(false), list_(NULL), eventsOpened_(false), initialBonds_(0), lostBonds_(0), initialVolume_(0),
-      brokenTension_(0), brokenShear_(0), damped_(0), released_(0), evaluations_(0), totalsAt_(-1), nextStress_(-1), frequency_(0),
+      brokenTension_(0), brokenShear_(0), damped_(0), released_(0), evaluations_(0), totalsAt_(-1), nextStress_(-1), timeBefore_(0), restartTime_(-1), frequency_(0),
       stressId_(NULL)
 {
     if (!atom->sphere_flag || !atom->omega_flag || !atom->torque_flag)
@@ -190,6 +190,8 @@ void FixBondParallel::init()
     if (!comm->ghost_velocity)
         error->fix_error(FLERR, this, "bonds need the velocity and spin of ghosts; cure: communicate single vel yes");
     if (domain->triclinic) error->fix_error(FLERR, this, "a triclinic box is not supported; cure: an orthogonal box");
+    if (restartTime_ >= 0) timeBefore_ = restartTime_ - (time() - timeBefore_); // only now is the time step known
+    restartTime_ = -1;
     if (created_) return;
     const int request = neighbor->request(this);
     neighbor->requests[request]->pair = 0;
@@ -216,6 +218,7 @@ void FixBondParallel::pre_neighbor() { load(); }
 void FixBondParallel::setup(int vflag)
 {
     if (!created_) create();
+    flushEvents(); // makes sure now that the file can be written
     checkTimeStep();
     evaluate(vflag);
     end_of_step();
@@ -327,6 +330,12 @@ template <bool Damped> void FixBondParallel::evaluateBlock(std::size_t begin, in
     }
 }
 
+/// Simulated time [s], also after a restart.
+double FixBondParallel::time() const
+{
+    return timeBefore_ + update->atime + (update->ntimestep - update->atimestep) * update->dt;
+}
+
 /// The bond is gone from this step on. Its events, counts and energy belong to the owner of the lower id.
 void FixBondParallel::breakBond(std::size_t k, const BondUse& use)
 {
@@ -344,7 +353,6 @@ void FixBondParallel::breakBond(std::size_t k, const BondUse& use)
     if (eventsFile_.empty()) return;
     const BondStress stress = stressOf(state, stiffness, shape, material_.momentFactor);
     const Vec3 centre = vec(atom->x[table_.target1[k]]) + shape.share * state.separation;
-    const double time = update->atime + (update->ntimestep - update->atimestep) * update->dt;
     events_.push_back(
-        {time, table_.id1[k], table_.id2[k], shear, centre.x, centre.y, centre.z, stress.sigma, stress.tau});
+        {time(), table_.id1[k], table_.id2[k], shear, centre.x, centre.y, centre.z, stress.sigma, stress.tau});
 }

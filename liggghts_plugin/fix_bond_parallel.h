@@ -79,6 +79,7 @@ private:
     void evaluate(int);
     template <bool Damped> void evaluateAll(double);
     template <bool Damped> void evaluateBlock(std::size_t, int, double);
+    double time() const;
     void breakBond(std::size_t, const frazil::BondUse&);
 
     // fix_bond_parallel_state.cpp: creation, migration, restart
@@ -98,7 +99,7 @@ private:
     void stressArray();
     void scheduleStress(bigint);
     void flushEvents();
-    void writeEvents(std::vector<Event>&);
+    bool writeEvents(std::vector<Event>&);
     void checkTimeStep();
     double largestFrequency();
     void stiffnessTimes(std::vector<double>&);
@@ -129,6 +130,8 @@ private:
     bigint evaluations_, totalsAt_;
     bigint nextStress_; // step for which the contacts' per-atom virial is announced
 
+    double timeBefore_; // what the host's clock forgot at a restart [s]
+    double restartTime_; // of the restart file, until the first run knows the time step; otherwise -1 [s]
     double frequency_;              // largest of the bonds, at the last setup [rad/s]; 0: not known
     std::vector<double> vibration_; // six per owned and ghost sphere, while frequency_ is sought
     char* stressId_;                // compute that asks the pair style for its per-atom virial

@@ -167,28 +167,32 @@ void FixBondParallel::flushEvents()
     std::vector<Event> all(comm->me == 0 ? (starts.back() + counts.back()) / words : 0);
     MPI_Gatherv(events_.data(), here, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0, world);
     events_.clear();
-    if (comm->me == 0) writeEvents(all);
+    int fine = comm->me || writeEvents(all);
+    if (!eventsOpened_) {
+        MPI_Bcast(&fine, 1, MPI_INT, 0, world);
+        eventsOpened_ = true;
+        require(fine, "events", eventsFile_, "cannot be written", "name a file in a folder that exists and is writable");
+    }
+    if (!fine) error->one(FLERR, ("Fix bond/parallel: the events file '" + eventsFile_ + "' cannot be written any more; "
+                                  "cure: room on the disk, and leave its folder in place").c_str());
 }
 
 /// Rank 0: in the order of time and ids, whichever rank saw them. A restarted run appends.
-void FixBondParallel::writeEvents(std::vector<Event>& all)
+bool FixBondParallel::writeEvents(std::vector<Event>& all)
 {
-    if (eventsOpened_ && all.empty()) return;
+    if (eventsOpened_ && all.empty()) return true;
     const bool append = eventsOpened_ || restarted_;
     FILE* file = fopen(eventsFile_.c_str(), append ? "a" : "w");
-    if (!file)
-        error->one(FLERR, ("Fix bond/parallel: cannot write the events file '" + eventsFile_ +
-                           "'; cure: a folder that exists and is writable").c_str());
+    if (!file) return false;
     fseek(file, 0, SEEK_END);
     if (ftell(file) == 0) fputs("time,id1,id2,mode,x,y,z,sigma,tau\n", file);
-    eventsOpened_ = true;
     std::sort(all.begin(), all.end(), [](const Event& a, const Event& b) {
         return std::tie(a.time, a.id1, a.id2) < std::tie(b.time, b.id1, b.id2);
     });
     for (const Event& e : all)
         fprintf(file, "%.12g,%d,%d,%s,%.9g,%.9g,%.9g,%.9g,%.9g\n", e.time, e.id1, e.id2,
                 e.shear ? "shear" : "tension", e.x, e.y, e.z, e.sigma, e.tau);
-    fclose(file);
+    return fclose(file) == 0;
 }
 
 /* ----------------------------------------------------------------------

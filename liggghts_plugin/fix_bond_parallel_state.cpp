@@ -316,8 +316,8 @@ void FixBondParallel::write_restart(FILE* file)
     const double here[4] = {brokenTension_, brokenShear_, damped_, released_};
     double all[4];
     MPI_Allreduce(here, all, 4, MPI_DOUBLE, MPI_SUM, world);
-    const double record[8] = {double(created_), double(initialBonds_), double(lostBonds_), initialVolume_, all[0],
-                              all[1], all[2], all[3]};
+    const double record[9] = {double(created_), double(initialBonds_), double(lostBonds_), initialVolume_, time(),
+                              all[0], all[1], all[2], all[3]};
     if (comm->me) return;
     const int size = sizeof record;
     fwrite(&size, sizeof size, 1, file);
@@ -331,9 +331,10 @@ void FixBondParallel::restart(char* buffer)
     initialBonds_ = static_cast<bigint>(record[1]);
     lostBonds_ = static_cast<bigint>(record[2]);
     initialVolume_ = record[3];
+    restartTime_ = record[4];
     if (comm->me) return; // sums over ranks start from rank 0
-    brokenTension_ = record[4];
-    brokenShear_ = record[5];
-    damped_ = record[6];
-    released_ = record[7];
+    brokenTension_ = record[5];
+    brokenShear_ = record[6];
+    damped_ = record[7];
+    released_ = record[8];
 }

@@ -1,0 +1,46 @@
+"""Wrong input to fix bond/parallel and compute fragment: each ends the run with the keyword, the value and the cure."""
+
+from bond_dem import *
+
+NEEDED = "young 5e8 stiffness_ratio 2.66 tensile_strength 1.2e6 shear_strength 0.8e6"
+CASES = {
+    "not a number": ("young abc stiffness_ratio 1 tensile_strength 1 shear_strength 1", "", ["'young'", "'abc'", "number"]),
+    "negative": (NEEDED + " damping -1", "", ["'damping'", "'-1'", ">= 0"]),
+    "zero strength": (NEEDED.replace("1.2e6", "0"), "", ["'tensile_strength'", "'0'", "> 0"]),
+    "friction angle": (NEEDED + " friction_angle 95", "", ["'friction_angle'", "'95'", "90"]),
+    "unknown keyword": (NEEDED + " strenght 1", "", ["'strenght'", "known are", "tensile_strength"]),
+    "missing keyword": ("young 5e8 stiffness_ratio 1 tensile_strength 1e6", "", ["'shear_strength'", "needed"]),
+    "missing value": (NEEDED + " weibull 5", "", ["'weibull'", "lacks"]),
+    "bad seed": (NEEDED + " weibull 5 -3", "", ["'weibull'", "'-3'", "seed"]),
+    "no pair in reach": (NEEDED, "FAR", ["no pair", "0.5", "create_gap"]),
+    "nobody near": (NEEDED, "VERY FAR", ["no pair", "neighbour distance"]),
+    "time step": (NEEDED, "timestep 1e-5\n", ["time step of 1e-05", "critical", "cure: 'timestep"]),
+    "gap beyond the skin": (NEEDED + " create_gap 0.9", "", ["create_gap", "skin", "neighbor"]),
+    "events file": (NEEDED + " events nowhere/ev.csv", "", ["'events'", "nowhere/ev.csv", "cannot be written"]),
+}
+
+
+def script(keywords, more):
+    distance = {"FAR": D + 0.5 * R, "VERY FAR": 5 * D}.get(more, D)
+    text = head(skin=0.001) + MODEL + spheres([[0, 0, 0], [distance, 0, 0]]) + "timestep 1e-7\n"
+    text += f"fix bonds all bond/parallel {keywords}\nfix nve all nve/sphere\n"
+    return text + (more if "\n" in more else "") + "run 1\n"
+
+
+def main():
+    check = Check()
+    for name, (keywords, more, words) in CASES.items():
+        for ranks in (1, 2):
+            run = check.run(script(keywords, more), ranks=ranks, expect_failure=True)
+            message = next((line for line in run.output.splitlines() if "ERROR" in line), "")
+            check.true(f"{name} on {ranks}", all(word in message for word in words), message)
+    text = script(NEEDED, "").replace("run 1", "compute f all fragment bondz\nrun 1")
+    message = check.run(text, expect_failure=True).output
+    check.true("fragment of an unknown fix", "'bondz'" in message and "cure" in message, message.strip().splitlines()[-1])
+    text = script(NEEDED, "").replace("timestep 1e-7", "timestep 8e-7")
+    check.true("time step above 0.2 of critical warns", "WARNING" in (out := check.run(text).output) and "critical" in out,
+               next((line for line in out.splitlines() if "critical" in line), ""))
+    check.finish()
+
+
+main()
