@@ -87,10 +87,8 @@ void Foam::pairExchange::connect
 
 void Foam::pairExchange::cutFineCells()
 {
-    if (step_.dualGrid())
-    {
-        step_.setParts(coarsePieces(mesh_, grid_));
-    }
+    // With dualGrid off they still say which rank has fine cells where
+    step_.setParts(coarsePieces(mesh_, grid_));
 }
 
 
