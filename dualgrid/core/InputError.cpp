@@ -1,17 +1,22 @@
 #include "InputError.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 std::string paragraph(const std::string& file, const std::string& key, const std::string& value,
                       const std::string& problem, const std::string& cure)
 {
     std::string text = file;
-    if (!key.empty()) text += ": " + key + (value.empty() ? "" : " " + value);
+    if (!key.empty())
+        text += ": " + key + (value.empty() ? "" : " " + value);
     text += (text.empty() ? "" : ": ") + problem;
-    if (!cure.empty()) text += (text.back() == '.' ? " " : ". ") + cure;
-    if (text.back() != '.') text += '.';
+    if (!cure.empty())
+        text += (text.back() == '.' ? " " : ". ") + cure;
+    if (text.back() != '.')
+        text += '.';
     return text;
 }
 

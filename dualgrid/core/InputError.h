@@ -4,7 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-namespace frazil {
+namespace frazil
+{
 
 class InputError : public std::runtime_error
 {

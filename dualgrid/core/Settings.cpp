@@ -8,14 +8,17 @@
 
 #include "InputError.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 std::string join(const std::vector<std::string>& words)
 {
     std::string text;
-    for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+    for (const auto& word : words)
+        text += (text.empty() ? "" : ", ") + word;
     return text;
 }
 
@@ -56,20 +59,25 @@ template <class T> std::optional<T> parse(const std::string& word)
 {
     const char* first = word.data();
     const char* const last = first + word.size();
-    if (first != last && *first == '+' && last - first > 1 && first[1] != '-') ++first;
+    if (first != last && *first == '+' && last - first > 1 && first[1] != '-')
+        ++first;
     T number{};
     const auto result = std::from_chars(first, last, number);
-    if (result.ec != std::errc() || result.ptr != last) return std::nullopt;
-    if (!std::isfinite(double(number))) return std::nullopt;
+    if (result.ec != std::errc() || result.ptr != last)
+        return std::nullopt;
+    if (!std::isfinite(double(number)))
+        return std::nullopt;
     return number;
 }
 
 std::vector<std::string> split(std::string text)
 {
     const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-    if (first == std::string::npos) return {};
+    if (first == std::string::npos)
+        return {};
     text = text.substr(first, last - first + 1);
-    if (text.size() > 1 && text.front() == '(' && text.back() == ')') text = text.substr(1, text.size() - 2);
+    if (text.size() > 1 && text.front() == '(' && text.back() == ')')
+        text = text.substr(1, text.size() - 2);
     std::vector<std::string> words;
     for (std::size_t begin = 0; (begin = text.find_first_not_of(" \t", begin)) != std::string::npos;) {
         const std::size_t end = std::min(text.find_first_of(" \t", begin), text.size());
@@ -83,12 +91,16 @@ std::vector<std::string> split(std::string text)
 
 Settings::Settings(std::string file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
 
-void Settings::set(const std::string& key, const std::string& value) { values_[key] = value; }
+void Settings::set(const std::string& key, const std::string& value)
+{
+    values_[key] = value;
+}
 
 Settings& Settings::addSub(const std::string& key)
 {
     auto& child = subs_[key];
-    if (!child) child = std::make_unique<Settings>(file_, pathOf(key));
+    if (!child)
+        child = std::make_unique<Settings>(file_, pathOf(key));
     emptySubs_.erase(key);
     return *child;
 }
@@ -117,7 +129,8 @@ std::vector<std::string> Settings::subKeys() const
 {
     std::vector<std::string> keys;
     for (const auto& [key, child] : subs_) {
-        if (!emptySubs_.count(key)) keys.push_back(key);
+        if (!emptySubs_.count(key))
+            keys.push_back(key);
     }
     return keys;
 }
@@ -125,16 +138,21 @@ std::vector<std::string> Settings::subKeys() const
 double Settings::number(const std::string& key) const
 {
     const std::string& value = require(key);
-    if (const auto number = parse<double>(value)) return *number;
+    if (const auto number = parse<double>(value))
+        return *number;
     throw InputError(file_, pathOf(key), value, "is not a number", "Write it like 0.005 or 5e-3, in SI units");
 }
 
-double Settings::number(const std::string& key, double byDefault) const { return find(key) ? number(key) : byDefault; }
+double Settings::number(const std::string& key, double byDefault) const
+{
+    return find(key) ? number(key) : byDefault;
+}
 
 double Settings::positive(const std::string& key) const
 {
     const double value = number(key);
-    if (value <= 0) reject(key, "must be greater than zero", "");
+    if (value <= 0)
+        reject(key, "must be greater than zero", "");
     return value;
 }
 
@@ -146,16 +164,21 @@ double Settings::positive(const std::string& key, double byDefault) const
 long Settings::integer(const std::string& key) const
 {
     const std::string& value = require(key);
-    if (const auto number = parse<long>(value)) return *number;
+    if (const auto number = parse<long>(value))
+        return *number;
     throw InputError(file_, pathOf(key), value, "is not a whole number", "Write it without point or exponent");
 }
 
-long Settings::integer(const std::string& key, long byDefault) const { return find(key) ? integer(key) : byDefault; }
+long Settings::integer(const std::string& key, long byDefault) const
+{
+    return find(key) ? integer(key) : byDefault;
+}
 
 std::string Settings::word(const std::string& key, const std::vector<std::string>& allowed) const
 {
     const std::string& value = require(key);
-    if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
+    if (std::find(allowed.begin(), allowed.end(), value) != allowed.end())
+        return value;
     throw InputError(file_, pathOf(key), value, "is not one of the choices" + didYouMean(value, allowed),
                      "Choose from: " + join(allowed));
 }
@@ -166,7 +189,10 @@ std::string Settings::word(const std::string& key, const std::vector<std::string
     return find(key) ? word(key, allowed) : byDefault;
 }
 
-std::string Settings::text(const std::string& key) const { return require(key); }
+std::string Settings::text(const std::string& key) const
+{
+    return require(key);
+}
 
 std::string Settings::text(const std::string& key, const std::string& byDefault) const
 {
@@ -176,9 +202,12 @@ std::string Settings::text(const std::string& key, const std::string& byDefault)
 bool Settings::flag(const std::string& key, bool byDefault) const
 {
     const std::string* value = find(key);
-    if (!value) return byDefault;
-    if (*value == "on" || *value == "yes" || *value == "true") return true;
-    if (*value == "off" || *value == "no" || *value == "false") return false;
+    if (!value)
+        return byDefault;
+    if (*value == "on" || *value == "yes" || *value == "true")
+        return true;
+    if (*value == "off" || *value == "no" || *value == "false")
+        return false;
     throw InputError(file_, pathOf(key), *value, "is neither on nor off", "Choose from: on, off, yes, no, true, false");
 }
 
@@ -191,13 +220,18 @@ Vec3 Settings::vec3(const std::string& key) const
     for (int axis = 0; good && axis < 3; ++axis) {
         const auto number = parse<double>(words[axis]);
         good = number.has_value();
-        if (good) v[axis] = *number;
+        if (good)
+            v[axis] = *number;
     }
-    if (good) return v;
+    if (good)
+        return v;
     throw InputError(file_, pathOf(key), value, "is not a vector", "Write three numbers: (x y z)");
 }
 
-Vec3 Settings::vec3(const std::string& key, const Vec3& byDefault) const { return find(key) ? vec3(key) : byDefault; }
+Vec3 Settings::vec3(const std::string& key, const Vec3& byDefault) const
+{
+    return find(key) ? vec3(key) : byDefault;
+}
 
 void Settings::finish() const
 {
@@ -205,10 +239,12 @@ void Settings::finish() const
         return std::find(asked_.begin(), asked_.end(), key) != asked_.end();
     };
     for (const auto& entry : values_) {
-        if (!known(entry.first)) unknown(entry.first);
+        if (!known(entry.first))
+            unknown(entry.first);
     }
     for (const auto& [key, child] : subs_) {
-        if (!known(key)) unknown(key);
+        if (!known(key))
+            unknown(key);
         child->finish();
     }
 }
@@ -232,7 +268,8 @@ const std::string* Settings::find(const std::string& key) const
 
 const std::string& Settings::require(const std::string& key) const
 {
-    if (const std::string* value = find(key)) return *value;
+    if (const std::string* value = find(key))
+        return *value;
     throw InputError(file_, path_, "", "key \"" + key + "\" is missing", "Add a line: " + key + " <value>;");
 }
 
@@ -242,11 +279,15 @@ void Settings::unknown(const std::string& key) const
     throw InputError(file_, path_, "", "unknown key \"" + key + "\"" + didYouMean(key, asked_), cure);
 }
 
-std::string Settings::pathOf(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+std::string Settings::pathOf(const std::string& key) const
+{
+    return path_.empty() ? key : path_ + "." + key;
+}
 
 void Settings::learn(const std::string& key) const
 {
-    if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
+    if (std::find(asked_.begin(), asked_.end(), key) == asked_.end())
+        asked_.push_back(key);
 }
 
 } // namespace frazil

@@ -13,7 +13,8 @@
 
 #include "Vec3.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class Settings
 {

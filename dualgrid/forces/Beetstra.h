@@ -7,12 +7,14 @@
 
 #include <cmath>
 
-namespace frazil {
+namespace frazil
+{
 
 struct Beetstra {
     static double inertia(double re, double fluidFraction)
     {
-        if (re < 1e-12) return 0; // the limit; avoids 0^-0.343
+        if (re < 1e-12)
+            return 0; // the limit; avoids 0^-0.343
         const double e = fluidFraction, s = 1 - e;
         return 0.413 * re / (24 * e * e) * (1 / e + 3 * e * s + 8.4 * std::pow(re, -0.343)) /
                (1 + std::pow(10, 3 * s) * std::pow(re, -0.5 * (1 + 4 * s)));

@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frazil {
+namespace frazil
+{
 
 struct DiFelice {
     static double exponent(double re)

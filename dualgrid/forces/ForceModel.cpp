@@ -1,24 +1,33 @@
 #include "ForceModel.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 std::variant<DiFelice, Gidaspow, SchillerNaumann, KochHill, Beetstra, NoDrag> dragLaw(const std::string& name)
 {
-    if (name == "Gidaspow") return Gidaspow{};
-    if (name == "SchillerNaumann") return SchillerNaumann{};
-    if (name == "KochHill") return KochHill{};
-    if (name == "Beetstra") return Beetstra{};
-    if (name == "none") return NoDrag{};
+    if (name == "Gidaspow")
+        return Gidaspow{};
+    if (name == "SchillerNaumann")
+        return SchillerNaumann{};
+    if (name == "KochHill")
+        return KochHill{};
+    if (name == "Beetstra")
+        return Beetstra{};
+    if (name == "none")
+        return NoDrag{};
     return DiFelice{};
 }
 
 double addedMassCoefficient(const Settings& forces)
 {
     const std::string word = forces.text("addedMass", "on");
-    if (word == "on") return 0.5;
-    if (word == "off") return 0;
+    if (word == "on")
+        return 0.5;
+    if (word == "off")
+        return 0;
     const double coefficient = forces.number("addedMass");
     if (coefficient < 0 || coefficient > 5) {
         forces.reject("addedMass", "is not a coefficient of added mass", "Use on (0.5, spheres), off or a coefficient");
@@ -29,8 +38,8 @@ double addedMassCoefficient(const Settings& forces)
 } // namespace
 
 ForceModel::ForceModel(const Settings& forces)
-    : drag_(dragLaw(forces.word(
-          "drag", {"DiFelice", "Gidaspow", "SchillerNaumann", "KochHill", "Beetstra", "none"}, "DiFelice"))),
+    : drag_(dragLaw(forces.word("drag", {"DiFelice", "Gidaspow", "SchillerNaumann", "KochHill", "Beetstra", "none"},
+                                "DiFelice"))),
       pressureGradient_(forces.flag("pressureGradient", true)), viscous_(forces.flag("viscous", true)),
       rotationalDrag_(forces.flag("rotationalDrag", false)), shielding_(forces.flag("shielding", false)),
       addedMass_(addedMassCoefficient(forces))

@@ -19,7 +19,8 @@
 #include "LocalFlow.h"
 #include "Settings.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// No drag at all: to see what the other forces do.
 struct NoDrag {
@@ -86,15 +87,20 @@ Interaction ForceModel::interact(const Law& law, const LocalFlow& flow, const Pa
 
     Interaction result;
     double k = 0; // a law is only asked about a fluid that is there
-    if (wet > 0) k += wet * dragCoefficient(law, water, d, speed, flow.fluidFraction);
-    if (dry > 0) k += dry * dragCoefficient(law, air, d, speed, flow.fluidFraction);
+    if (wet > 0)
+        k += wet * dragCoefficient(law, water, d, speed, flow.fluidFraction);
+    if (dry > 0)
+        k += dry * dragCoefficient(law, air, d, speed, flow.fluidFraction);
     result.dragCoefficient = exposure * k;
     result.fluidVelocity = flow.velocity;
-    if (pressureGradient_) result.passiveForce -= volume * flow.pressureGradient;
-    if (viscous_) result.passiveForce += volume * flow.viscousForce;
+    if (pressureGradient_)
+        result.passiveForce -= volume * flow.pressureGradient;
+    if (viscous_)
+        result.passiveForce += volume * flow.viscousForce;
     result.addedMass = exposure * addedMass_ * volume * (wet * water.density + dry * air.density);
     result.fluidAcceleration = flow.acceleration;
-    if (rotationalDrag_) result.spinCoefficient = pi * d * d * d * (wet * water.viscosity + dry * air.viscosity);
+    if (rotationalDrag_)
+        result.spinCoefficient = pi * d * d * d * (wet * water.viscosity + dry * air.viscosity);
     result.fluidSpin = 0.5 * flow.vorticity;
     return result;
 }

@@ -6,7 +6,8 @@
 
 #include "SchillerNaumann.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// Ergun, Chem. Eng. Prog. 48 (1952) 89: β = 150 (1-αf)² μ/(αf D²) + 1.75 (1-αf) ρ |u-up|/D,
 /// hence F = (150 (1-αf) + 1.75 Re) / (18 αf).

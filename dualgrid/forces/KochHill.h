@@ -5,14 +5,17 @@
 
 #include <cmath>
 
-namespace frazil {
+namespace frazil
+{
 
 struct KochHill {
     /// Stokes part; 0.4 is where the two published branches meet.
     static double f0(double s)
     {
-        if (s >= 0.4) return 10 * s / ((1 - s) * (1 - s) * (1 - s));
-        if (s <= 0) return 1;
+        if (s >= 0.4)
+            return 10 * s / ((1 - s) * (1 - s) * (1 - s));
+        if (s <= 0)
+            return 1;
         return (1 + 3 * std::sqrt(0.5 * s) + 135.0 / 64 * s * std::log(s) + 16.14 * s) /
                (1 + 0.681 * s - 8.48 * s * s + 8.16 * s * s * s);
     }

@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-namespace frazil {
+namespace frazil
+{
 
 struct SchillerNaumann {
     /// Cd Re [-], Re without voidage: 24 (1 + 0.15 Re^0.687) up to 1000, Newton's Cd = 0.44 above.

@@ -6,7 +6,8 @@
 
 #include "LocalCells.h"
 
-namespace frazil {
+namespace frazil
+{
 
 template <class T> class CoarseField
 {

@@ -8,22 +8,29 @@
 
 #include "InputError.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 const char* const file = "constant/couplingProperties";
 const char* const axisName = "xyz";
 
-std::string text(const Vec3& v) { return fmt::format("({:.6g} {:.6g} {:.6g})", v.x, v.y, v.z); }
+std::string text(const Vec3& v)
+{
+    return fmt::format("({:.6g} {:.6g} {:.6g})", v.x, v.y, v.z);
+}
 
 /// The axis that floating particles do not spread along.
 int verticalAxis(const Vec3& gravity, const CellIndex& n)
 {
-    if (dot(gravity, gravity) == 0) return int(std::min_element(n.begin(), n.end()) - n.begin());
+    if (dot(gravity, gravity) == 0)
+        return int(std::min_element(n.begin(), n.end()) - n.begin());
     int axis = 0;
     for (int a = 1; a < 3; ++a) {
-        if (std::abs(gravity[a]) > std::abs(gravity[axis])) axis = a;
+        if (std::abs(gravity[a]) > std::abs(gravity[axis]))
+            axis = a;
     }
     return axis;
 }
@@ -68,7 +75,8 @@ void CoarseGrid::chooseBlocks(int owners, int vertical)
     double least = std::numeric_limits<double>::max();
     for (int a = 1; a <= owners; ++a) {
         const int b = owners / a;
-        if (a * b != owners || a > n_[u] || b > n_[v]) continue;
+        if (a * b != owners || a > n_[u] || b > n_[v])
+            continue;
         const double halfPerimeter = double(n_[u]) / a + double(n_[v]) / b;
         if (halfPerimeter < least) {
             least = halfPerimeter;
@@ -76,20 +84,24 @@ void CoarseGrid::chooseBlocks(int owners, int vertical)
             blocks_[v] = b;
         }
     }
-    if (least < std::numeric_limits<double>::max()) return;
-    throw InputError(file, "coarseGrid", "",
-                     fmt::format("{} x {} columns of cells across {} (the vertical) cannot be shared in blocks among {} "
-                                 "fluid ranks, at least one column each",
-                                 n_[u], n_[v], axisName[vertical], owners),
-                     "Use fewer fluid ranks, a smaller cellSize or a larger box");
+    if (least < std::numeric_limits<double>::max())
+        return;
+    throw InputError(
+        file, "coarseGrid", "",
+        fmt::format("{} x {} columns of cells across {} (the vertical) cannot be shared in blocks among {} "
+                    "fluid ranks, at least one column each",
+                    n_[u], n_[v], axisName[vertical], owners),
+        "Use fewer fluid ranks, a smaller cellSize or a larger box");
 }
 
 std::int64_t CoarseGrid::cellOf(const Vec3& p) const
 {
-    if (!contains(p)) return -1;
+    if (!contains(p))
+        return -1;
     CellIndex c;
     // The outermost face, and a point that rounding moves onto it, belong to the last cell.
-    for (int a = 0; a < 3; ++a) c[a] = std::min(int((p[a] - box_.min[a]) / h_), n_[a] - 1);
+    for (int a = 0; a < 3; ++a)
+        c[a] = std::min(int((p[a] - box_.min[a]) / h_), n_[a] - 1);
     return id(c);
 }
 
@@ -113,7 +125,8 @@ int CoarseGrid::ownerOf(const CellIndex& c) const
 {
     // Inverse of lo = floor(n r / blocks) in block().
     int r[3];
-    for (int a = 0; a < 3; ++a) r[a] = int((std::int64_t(c[a] + 1) * blocks_[a] - 1) / n_[a]);
+    for (int a = 0; a < 3; ++a)
+        r[a] = int((std::int64_t(c[a] + 1) * blocks_[a] - 1) / n_[a]);
     return r[0] + blocks_[0] * (r[1] + blocks_[1] * r[2]);
 }
 
@@ -136,7 +149,8 @@ CoarseGrid::Block CoarseGrid::block(int owner) const
 
 void requireReach(const CoarseGrid& grid, const Box& reach)
 {
-    if (grid.contains(reach.min) && grid.contains(reach.max)) return;
+    if (grid.contains(reach.min) && grid.contains(reach.max))
+        return;
     throw InputError(file, "coarseGrid", "",
                      fmt::format("the box {} - {} is smaller than the particles' reach {} - {}", text(grid.box().min),
                                  text(grid.box().max), text(reach.min), text(reach.max)),
@@ -145,7 +159,8 @@ void requireReach(const CoarseGrid& grid, const Box& reach)
 
 void requireCellSize(const CoarseGrid& grid, double largestDiameter)
 {
-    if (grid.cellSize() >= largestDiameter) return;
+    if (grid.cellSize() >= largestDiameter)
+        return;
     throw InputError(file, "coarseGrid.cellSize", fmt::format("{:g}", grid.cellSize()),
                      fmt::format("is smaller than the largest particle's diameter {:g} m", largestDiameter),
                      "Make it 2 to 4 particle diameters");

@@ -2,8 +2,8 @@
 ///
 /// Cartesian, cubic cells of size h [m]; global id = i + nx (j + ny k). Cells are owned in blocks: the two axes normal
 /// to gravity are cut into a x b blocks (owners = a b, blocks as square as possible), never the axis along gravity,
-/// because floating particles fill a flat layer and every owner shall get its share. So the owner of a cell is a formula,
-/// not a table: O(1) time and no memory, on any rank of either program.
+/// because floating particles fill a flat layer and every owner shall get its share. So the owner of a cell is a
+/// formula, not a table: O(1) time and no memory, on any rank of either program.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@
 
 #include "Box.h"
 
-namespace frazil {
+namespace frazil
+{
 
 using CellIndex = std::array<int, 3>;
 
@@ -22,10 +23,7 @@ class CoarseGrid
     /// A block of cells, lo included, hi excluded.
     struct Block {
         CellIndex lo, hi;
-        std::int64_t count() const
-        {
-            return std::int64_t(hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]);
-        }
+        std::int64_t count() const { return std::int64_t(hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]); }
     };
 
     /// @param box       region to cover [m]; its max is rounded up to whole cells
@@ -49,7 +47,10 @@ class CoarseGrid
     {
         return {int(id % n_[0]), int(id / n_[0] % n_[1]), int(id / n_[0] / n_[1])};
     }
-    std::int64_t id(const CellIndex& c) const { return c[0] + std::int64_t(n_[0]) * (c[1] + std::int64_t(n_[1]) * c[2]); }
+    std::int64_t id(const CellIndex& c) const
+    {
+        return c[0] + std::int64_t(n_[0]) * (c[1] + std::int64_t(n_[1]) * c[2]);
+    }
     bool holds(const CellIndex& c) const
     {
         return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < n_[0] && c[1] < n_[1] && c[2] < n_[2];

@@ -10,7 +10,8 @@
 
 #include "CoarseGrid.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class LocalCells
 {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-namespace frazil {
+namespace frazil
+{
 
 FineParts::FineParts(const std::vector<FinePiece>& pieces, const LocalCells& cells)
 {
@@ -19,7 +20,8 @@ FineParts::FineParts(const std::vector<FinePiece>& pieces, const LocalCells& cel
         const FinePiece& piece = pieces[n];
         const bool newRow = !last || piece.coarseCell != last->coarseCell;
         if (newRow) {
-            if (last) start_.push_back(parts_.size());
+            if (last)
+                start_.push_back(parts_.size());
             coarseCell_.push_back(cells.local(piece.coarseCell));
         }
         if (newRow || piece.fineCell != last->fineCell) {
@@ -32,7 +34,8 @@ FineParts::FineParts(const std::vector<FinePiece>& pieces, const LocalCells& cel
         }
         last = &piece;
     }
-    if (last) start_.push_back(parts_.size());
+    if (last)
+        start_.push_back(parts_.size());
 }
 
 } // namespace frazil

@@ -11,12 +11,13 @@
 #include "LocalCells.h"
 #include "Overlap.h"
 
-namespace frazil {
+namespace frazil
+{
 
 struct FinePart {
-    int fineCell = 0;   ///< index in the host's mesh
-    double volume = 0;  ///< [m3]
-    Vec3 centroid;      ///< [m]
+    int fineCell = 0;  ///< index in the host's mesh
+    double volume = 0; ///< [m3]
+    Vec3 centroid;     ///< [m]
 };
 
 class FineParts

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frazil {
+namespace frazil
+{
 
 Stencil stencilOf(const LocalCells& cells, const Vec3& p)
 {
@@ -31,9 +32,12 @@ Stencil stencilOf(const LocalCells& cells, const Vec3& p)
 bool reweigh(Stencil& stencil, const CoarseField<double>& importance)
 {
     double scaled[8], sum = 0;
-    for (int n = 0; n < 8; ++n) sum += scaled[n] = stencil.weight[n] * importance[stencil.cell[n]];
-    if (!(sum > 0)) return false;
-    for (int n = 0; n < 8; ++n) stencil.weight[n] = scaled[n] / sum;
+    for (int n = 0; n < 8; ++n)
+        sum += scaled[n] = stencil.weight[n] * importance[stencil.cell[n]];
+    if (!(sum > 0))
+        return false;
+    for (int n = 0; n < 8; ++n)
+        stencil.weight[n] = scaled[n] / sum;
     return true;
 }
 

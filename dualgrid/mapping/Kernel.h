@@ -4,12 +4,14 @@
 ///
 /// At the edge of the grid the weight of a missing cell folds back onto the edge cell, so the sum stays 1. Spread and
 /// gather read the same stencil, so they are adjoint by construction: Σ_c φ_c (spread q)_c = Σ_p q_p (gather φ)_p.
-/// Cost: 8 look-ups per particle. Parallel: local; the ring of ghosts (LocalCells.h) makes stencils of owned cells whole.
+/// Cost: 8 look-ups per particle. Parallel: local; the ring of ghosts (LocalCells.h) makes stencils of owned cells
+/// whole.
 #pragma once
 
 #include "CoarseField.h"
 
-namespace frazil {
+namespace frazil
+{
 
 struct Stencil {
     int cell[8];      ///< local indices; folded cells appear more than once
@@ -26,13 +28,15 @@ bool reweigh(Stencil& stencil, const CoarseField<double>& importance);
 template <class T> T gather(const Stencil& stencil, const CoarseField<T>& field)
 {
     T sum{};
-    for (int n = 0; n < 8; ++n) sum += stencil.weight[n] * field[stencil.cell[n]];
+    for (int n = 0; n < 8; ++n)
+        sum += stencil.weight[n] * field[stencil.cell[n]];
     return sum;
 }
 
 template <class T> void spread(const Stencil& stencil, const T& amount, CoarseField<T>& field)
 {
-    for (int n = 0; n < 8; ++n) field[stencil.cell[n]] += stencil.weight[n] * amount;
+    for (int n = 0; n < 8; ++n)
+        field[stencil.cell[n]] += stencil.weight[n] * amount;
 }
 
 } // namespace frazil

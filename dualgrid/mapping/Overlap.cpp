@@ -5,9 +5,11 @@
 #include <cmath>
 #include <vector>
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 using Tetrahedron = std::array<Vec3, 4>;
 
@@ -58,8 +60,10 @@ void split(const Tetrahedron& t, int axis, double level, std::vector<Tetrahedron
             ho[no++] = height;
         }
     }
-    if (nu == 0) return above.push_back(t);
-    if (no == 0) return below.push_back(t);
+    if (nu == 0)
+        return above.push_back(t);
+    if (no == 0)
+        return below.push_back(t);
     const auto cut = [&](int u, int o) { return crossing(under[u], over[o], hu[u], ho[o]); };
     if (nu == 1) {
         const Vec3 c0 = cut(0, 0), c1 = cut(0, 1), c2 = cut(0, 2);
@@ -84,7 +88,8 @@ class Cutter
 
     void cut(std::vector<Tetrahedron> tets, int axis, CellIndex cell) const
     {
-        if (axis == 3) return emit(tets, grid_.id(cell));
+        if (axis == 3)
+            return emit(tets, grid_.id(cell));
         double low = tets[0][0][axis], high = low;
         for (const auto& t : tets) {
             for (const Vec3& corner : t) {
@@ -97,7 +102,8 @@ class Cutter
         const auto splitAll = [&](int face) {
             below.clear();
             above.clear();
-            for (const auto& t : tets) split(t, axis, grid_.box().min[axis] + face * grid_.cellSize(), below, above);
+            for (const auto& t : tets)
+                split(t, axis, grid_.box().min[axis] + face * grid_.cellSize(), below, above);
         };
         if (first == 0) { // drop what lies below the grid
             splitAll(0);
@@ -106,7 +112,8 @@ class Cutter
         for (int i = first; i <= last && !tets.empty(); ++i) {
             splitAll(i + 1);
             cell[axis] = i;
-            if (!below.empty()) cut(below, axis + 1, cell);
+            if (!below.empty())
+                cut(below, axis + 1, cell);
             tets.swap(above);
         }
     }
@@ -121,7 +128,8 @@ class Cutter
             volume += v;
             moment += v / 4 * (t[0] + t[1] + t[2] + t[3]);
         }
-        if (volume > 0) sink_(cell, volume, moment / volume);
+        if (volume > 0)
+            sink_(cell, volume, moment / volume);
     }
 
     const CoarseGrid& grid_;
@@ -133,7 +141,8 @@ class Cutter
 void clipBox(const Box& box, const CoarseGrid& grid, const PieceSink& sink)
 {
     std::array<int, 2> range[3];
-    for (int a = 0; a < 3; ++a) range[a] = reach(grid, a, box.min[a], box.max[a]);
+    for (int a = 0; a < 3; ++a)
+        range[a] = reach(grid, a, box.min[a], box.max[a]);
     for (int k = range[2][0]; k <= range[2][1]; ++k) {
         for (int j = range[1][0]; j <= range[1][1]; ++j) {
             for (int i = range[0][0]; i <= range[0][1]; ++i) {
@@ -145,7 +154,8 @@ void clipBox(const Box& box, const CoarseGrid& grid, const PieceSink& sink)
                     volume *= std::max(0.0, high - low);
                     centroid[a] = 0.5 * (low + high);
                 }
-                if (volume > 0) sink(grid.id({i, j, k}), volume, centroid);
+                if (volume > 0)
+                    sink(grid.id({i, j, k}), volume, centroid);
             }
         }
     }
@@ -154,7 +164,8 @@ void clipBox(const Box& box, const CoarseGrid& grid, const PieceSink& sink)
 void clipTetrahedron(const Vec3 (&corner)[4], const CoarseGrid& grid, const PieceSink& sink)
 {
     const Tetrahedron whole{corner[0], corner[1], corner[2], corner[3]};
-    if (volumeOf(whole) > 0) Cutter(grid, sink).cut({whole}, 0, {});
+    if (volumeOf(whole) > 0)
+        Cutter(grid, sink).cut({whole}, 0, {});
 }
 
 } // namespace frazil

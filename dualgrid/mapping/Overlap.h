@@ -2,8 +2,8 @@
 ///
 /// A tetrahedron is split by one plane of the grid after the other (1-3 or 2-2 vertices on either side: at most six
 /// smaller tetrahedra), so volumes and first moments are closed-form sums and add up to the whole to round-off.
-/// Cost: proportional to the number of pieces; done when the fine mesh changes, not every step. What lies outside of the
-/// grid is dropped: there are no particles there. No MPI.
+/// Cost: proportional to the number of pieces; done when the fine mesh changes, not every step. What lies outside of
+/// the grid is dropped: there are no particles there. No MPI.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,8 @@
 #include "Box.h"
 #include "CoarseGrid.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// The piece of one fine cell inside one coarse cell. A coarse cell may come more than once: pieces add up.
 struct FinePiece {

@@ -3,21 +3,36 @@
 #include <algorithm>
 #include <cmath>
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 template <class T> constexpr int components = int(sizeof(T) / sizeof(double));
 
-double& component(double& value, int) { return value; }
-double component(const double& value, int) { return value; }
-double& component(Vec3& value, int i) { return value[i]; }
-double component(const Vec3& value, int i) { return value[i]; }
+double& component(double& value, int)
+{
+    return value;
+}
+double component(const double& value, int)
+{
+    return value;
+}
+double& component(Vec3& value, int i)
+{
+    return value[i];
+}
+double component(const Vec3& value, int i)
+{
+    return value[i];
+}
 
 template <class T> bool isZero(const T& value)
 {
     for (int i = 0; i < components<T>; ++i) {
-        if (component(value, i) != 0) return false;
+        if (component(value, i) != 0)
+            return false;
     }
     return true;
 }
@@ -32,7 +47,8 @@ template <class T> void widen(T& low, T& high, const T& value)
 
 template <class T> T product(T a, const T& b)
 {
-    for (int i = 0; i < components<T>; ++i) component(a, i) *= component(b, i);
+    for (int i = 0; i < components<T>; ++i)
+        component(a, i) *= component(b, i);
     return a;
 }
 
@@ -60,14 +76,15 @@ std::array<double, 8> cornerWeights(const Vec3& point, const Box& cell, double e
         }
         sum += weight[n] = exponent == 2 ? 1 / distance2 : std::pow(distance2, -0.5 * exponent);
     }
-    for (double& w : weight) w /= sum;
+    for (double& w : weight)
+        w /= sum;
     return weight;
 }
 
 template <class T>
-typename Prolongation<T>::Surroundings
-Prolongation<T>::lookAround(const LocalCells& cells, int cell, const CoarseField<T>& value,
-                            const CoarseField<double>& weight) const
+typename Prolongation<T>::Surroundings Prolongation<T>::lookAround(const LocalCells& cells, int cell,
+                                                                   const CoarseField<T>& value,
+                                                                   const CoarseField<double>& weight) const
 {
     Surroundings around{{}, value[cell], value[cell], {}, {}};
     int shared[8] = {};
@@ -75,18 +92,22 @@ Prolongation<T>::lookAround(const LocalCells& cells, int cell, const CoarseField
     for (int n = 0; n < 27; ++n) {
         const int d[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
         const int neighbour = cells.local(CellIndex{c[0] + d[0], c[1] + d[1], c[2] + d[2]});
-        if (neighbour < 0 || !(weight[neighbour] > 0)) continue;
+        if (neighbour < 0 || !(weight[neighbour] > 0))
+            continue;
         widen(around.lowestCell, around.highestCell, value[neighbour]);
         for (int k = 0; k < 8; ++k) {
             const int side[3] = {k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1};
-            if (d[0] == -side[0] || d[1] == -side[1] || d[2] == -side[2]) continue;
+            if (d[0] == -side[0] || d[1] == -side[1] || d[2] == -side[2])
+                continue;
             around.corner[k] += value[neighbour];
             ++shared[k];
         }
     }
-    for (int k = 0; k < 8; ++k) around.corner[k] *= 1.0 / shared[k]; // the cell itself is among them
+    for (int k = 0; k < 8; ++k)
+        around.corner[k] *= 1.0 / shared[k]; // the cell itself is among them
     around.lowestCorner = around.highestCorner = around.corner[0];
-    for (const T& corner : around.corner) widen(around.lowestCorner, around.highestCorner, corner);
+    for (const T& corner : around.corner)
+        widen(around.lowestCorner, around.highestCorner, corner);
     return around;
 }
 
@@ -100,14 +121,16 @@ void Prolongation<T>::shape(const FineParts& parts, const LocalCells& cells, con
     T* raw = raw_.data();
     for (int row = 0; row < parts.rows(); raw += parts.end(row) - parts.begin(row), ++row) {
         const int cell = parts.coarseCell(row);
-        if (isZero(value[cell])) continue;
+        if (isZero(value[cell]))
+            continue;
         const Surroundings& around = around_[row] = lookAround(cells, cell, value, weight);
         const Box box = cells.grid().cellBox(cells.grid().index(cells.global(cell)));
         T* r = raw;
         for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part, ++r) {
             const auto w = cornerWeights(part->centroid, box, settings_.exponent);
             *r = T{};
-            for (int k = 0; k < 8; ++k) *r += w[k] * around.corner[k];
+            for (int k = 0; k < 8; ++k)
+                *r += w[k] * around.corner[k];
             moment[cell] += density[part->fineCell] * part->volume * *r;
         }
     }
@@ -140,7 +163,8 @@ void Prolongation<T>::spread(const FineParts& parts, const CoarseField<T>& value
     const T* raw = raw_.data();
     for (int row = 0; row < parts.rows(); raw += parts.end(row) - parts.begin(row), ++row) {
         const int cell = parts.coarseCell(row);
-        if (isZero(value[cell])) continue;
+        if (isZero(value[cell]))
+            continue;
         const T mean = moment[cell] * (1 / weight[cell]);
         const T slope = slopeFactor(around_[row], value[cell], mean, lowest, highest);
         const T* r = raw;

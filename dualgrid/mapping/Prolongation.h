@@ -1,7 +1,7 @@
 /// Coarse grid -> fine mesh: inverse distance from the coarse nodes (2.25, 2.23), made conservative and bounded.
 ///
-///   node:        φ_n = mean of φ_c over the cells that share the node and hold fluid              (2.25, equal distances)
-///   part:        r_p = Σ_8 w φ_n / Σ w,  w = 1/|x_p - x_n|^exponent;  on a node: φ_n               (2.23)
+///   node:        φ_n = mean of φ_c over the cells that share the node and hold fluid              (2.25, equal
+///   distances) part:        r_p = Σ_8 w φ_n / Σ w,  w = 1/|x_p - x_n|^exponent;  on a node: φ_n               (2.23)
 ///   correction:  φ_p = φ_c + ψ_c (r_p - r_c),  r_c = Σ r_p W_p / Σ W_p over the parts of the coarse cell
 ///
 /// Inverse distance alone does not conserve. With r_c taken out, Σ φ_p W_p = φ_c Σ W_p holds in every coarse cell to
@@ -17,14 +17,15 @@
 #include <array>
 #include <vector>
 
-#include "FineParts.h"
 #include "CoarseField.h"
+#include "FineParts.h"
 #include "Vec3.h"
 
-namespace frazil {
+namespace frazil
+{
 
 struct ProlongationSettings {
-    double exponent = 2;     ///< [-]
+    double exponent = 2;      ///< [-]
     bool limitToCells = true; ///< keep values within the range of the cells around
 };
 

@@ -1,6 +1,7 @@
 #include "Restriction.h"
 
-namespace frazil {
+namespace frazil
+{
 
 void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells& cells, CoarseField<CoarseFluid>& sums)
 {
@@ -32,8 +33,8 @@ void finishAverages(CoarseFluid& cell, double cellVolume)
     }
     const double scale = 1 / cell.fluidVolume;
     cell.wetFraction *= scale;
-    for (Vec3* average : {&cell.velocity, &cell.pressureGradient, &cell.viscousForce, &cell.acceleration,
-                          &cell.vorticity}) {
+    for (Vec3* average :
+         {&cell.velocity, &cell.pressureGradient, &cell.viscousForce, &cell.acceleration, &cell.vorticity}) {
         *average *= scale;
     }
 }

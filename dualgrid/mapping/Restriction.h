@@ -14,7 +14,8 @@
 #include "FineParts.h"
 #include "Vec3.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// The host's fluid fields, one entry per fine cell of this rank.
 struct FineFlow {
@@ -51,7 +52,8 @@ struct CoarseFluid {
 };
 
 /// Adds this rank's parts to the sums (the field is reset first).
-void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells& cells, CoarseField<CoarseFluid>& sums);
+void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells& cells,
+                  CoarseField<CoarseFluid>& sums);
 /// Turns the complete sums of one coarse cell of `cellVolume` [m3] into averages; all zero if there is no fluid in it.
 void finishAverages(CoarseFluid& cell, double cellVolume);
 

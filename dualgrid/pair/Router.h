@@ -13,7 +13,8 @@
 
 #include <mpi.h>
 
-namespace frazil {
+namespace frazil
+{
 
 class Router
 {
@@ -25,7 +26,8 @@ class Router
     {
         plan(to);
         std::vector<T> ordered(items.size());
-        for (std::size_t n = 0; n < items.size(); ++n) ordered[place_[n]] = items[n];
+        for (std::size_t n = 0; n < items.size(); ++n)
+            ordered[place_[n]] = items[n];
         return exchange(ordered, sent_, received_);
     }
 
@@ -34,7 +36,8 @@ class Router
     {
         const std::vector<T> ordered = exchange(answers, received_, sent_);
         std::vector<T> inOrder(place_.size());
-        for (std::size_t n = 0; n < place_.size(); ++n) inOrder[n] = ordered[place_[n]];
+        for (std::size_t n = 0; n < place_.size(); ++n)
+            inOrder[n] = ordered[place_[n]];
         return inOrder;
     }
 
@@ -45,17 +48,20 @@ class Router
         MPI_Comm_size(comm_, &ranks);
         sent_.assign(ranks, 0);
         received_.assign(ranks, 0);
-        for (const int rank : to) ++sent_[rank];
+        for (const int rank : to)
+            ++sent_[rank];
         MPI_Alltoall(sent_.data(), 1, MPI_INT, received_.data(), 1, MPI_INT, comm_);
         std::vector<int> next = starts(sent_, 1);
         place_.resize(to.size());
-        for (std::size_t n = 0; n < to.size(); ++n) place_[n] = next[to[n]]++;
+        for (std::size_t n = 0; n < to.size(); ++n)
+            place_[n] = next[to[n]]++;
     }
 
     static std::vector<int> starts(const std::vector<int>& counts, int width)
     {
         std::vector<int> start(counts.size(), 0);
-        for (std::size_t r = 1; r < counts.size(); ++r) start[r] = start[r - 1] + width * counts[r - 1];
+        for (std::size_t r = 1; r < counts.size(); ++r)
+            start[r] = start[r - 1] + width * counts[r - 1];
         return start;
     }
 
@@ -66,8 +72,10 @@ class Router
         const int width = int(sizeof(T));
         std::vector<T> in(std::accumulate(inCounts.begin(), inCounts.end(), 0));
         const std::vector<int> outStarts = starts(outCounts, width), inStarts = starts(inCounts, width);
-        for (int& count : outCounts) count *= width;
-        for (int& count : inCounts) count *= width;
+        for (int& count : outCounts)
+            count *= width;
+        for (int& count : inCounts)
+            count *= width;
         MPI_Alltoallv(out.data(), outCounts.data(), outStarts.data(), MPI_BYTE, in.data(), inCounts.data(),
                       inStarts.data(), MPI_BYTE, comm_);
         return in;

@@ -5,7 +5,8 @@
 
 #include <mpi.h>
 
-namespace frazil {
+namespace frazil
+{
 
 inline void sumOverRanks(double* values, int count, MPI_Comm comm)
 {

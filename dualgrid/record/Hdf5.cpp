@@ -2,13 +2,16 @@
 
 #include <stdexcept>
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 herr_t appendDescription(unsigned, const H5E_error2_t* error, void* text)
 {
-    if (error->desc) *static_cast<std::string*>(text) += std::string(": ") + error->desc;
+    if (error->desc)
+        *static_cast<std::string*>(text) += std::string(": ") + error->desc;
     return 0;
 }
 
@@ -23,14 +26,19 @@ herr_t appendDescription(unsigned, const H5E_error2_t* error, void* text)
 
 Hdf5Handle::Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close)
 {
-    if (id_ < 0) fail(what);
+    if (id_ < 0)
+        fail(what);
 }
 
-Hdf5Handle::~Hdf5Handle() { close_(id_); }
+Hdf5Handle::~Hdf5Handle()
+{
+    close_(id_);
+}
 
 void requireHdf5(herr_t status, const std::string& what)
 {
-    if (status < 0) fail(what);
+    if (status < 0)
+        fail(what);
 }
 
 void writeDataset(hid_t group, const std::string& name, hid_t type, const Hyperslab& slab, const void* values)
@@ -41,7 +49,8 @@ void writeDataset(hid_t group, const std::string& name, hid_t type, const Hypers
     const Hdf5Handle inMemory(H5Screate_simple(rank, slab.count.data(), nullptr), H5Sclose, what);
     const Hdf5Handle dataset(H5Dcreate2(group, name.c_str(), type, inFile, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                              H5Dclose, what);
-    requireHdf5(H5Sselect_hyperslab(inFile, H5S_SELECT_SET, slab.start.data(), nullptr, slab.count.data(), nullptr), what);
+    requireHdf5(H5Sselect_hyperslab(inFile, H5S_SELECT_SET, slab.start.data(), nullptr, slab.count.data(), nullptr),
+                what);
     const Hdf5Handle together(H5Pcreate(H5P_DATASET_XFER), H5Pclose, what);
     requireHdf5(H5Pset_dxpl_mpio(together, H5FD_MPIO_COLLECTIVE), what);
     requireHdf5(H5Dwrite(dataset, type, inMemory, inFile, together, values), what);
@@ -81,7 +90,8 @@ std::vector<std::string> linksIn(hid_t group)
     std::vector<std::string> names;
     for (hsize_t n = 0; n < info.nlinks; ++n) {
         const auto length = H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, n, nullptr, 0, H5P_DEFAULT);
-        if (length < 0) fail("list a group");
+        if (length < 0)
+            fail("list a group");
         std::string name(std::size_t(length) + 1, '\0');
         H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, n, name.data(), name.size(), H5P_DEFAULT);
         name.pop_back();

@@ -8,7 +8,8 @@
 #include <hdf5.h>
 #include <mpi.h>
 
-namespace frazil {
+namespace frazil
+{
 
 /// Owns one HDF5 handle.
 class Hdf5Handle

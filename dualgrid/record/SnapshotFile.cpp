@@ -13,20 +13,27 @@
 #include "Router.h"
 #include "Sum.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 using Ends = std::array<std::int64_t, 2>;
 
 const char* attributeType(int components)
 {
     switch (components) {
-    case 1: return "Scalar";
-    case 3: return "Vector";
-    case 6: return "Tensor6";
-    case 9: return "Tensor";
-    default: return "Matrix";
+    case 1:
+        return "Scalar";
+    case 3:
+        return "Vector";
+    case 6:
+        return "Tensor6";
+    case 9:
+        return "Tensor";
+    default:
+        return "Matrix";
     }
 }
 
@@ -74,7 +81,10 @@ hid_t openTogether(const std::string& path, MPI_Comm comm, bool create, unsigned
     return file;
 }
 
-std::string stepName(std::int64_t step) { return fmt::format("{:012d}", step); }
+std::string stepName(std::int64_t step)
+{
+    return fmt::format("{:012d}", step);
+}
 
 } // namespace
 
@@ -84,7 +94,8 @@ SnapshotFile::SnapshotFile(std::string path, MPI_Comm comm, Mode mode)
     const auto slash = path_.find_last_of('/');
     const auto dot = path_.find_last_of('.');
     h5Name_ = path_.substr(slash == std::string::npos ? 0 : slash + 1);
-    xdmfPath_ = path_.substr(0, dot == std::string::npos || (slash != std::string::npos && dot < slash) ? path_.size() : dot);
+    xdmfPath_ =
+        path_.substr(0, dot == std::string::npos || (slash != std::string::npos && dot < slash) ? path_.size() : dot);
     xdmfPath_ += ".xdmf";
     double exists = rankIn(comm_) == 0 && access(path_.c_str(), F_OK) == 0;
     sumOverRanks(&exists, 1, comm_); // what the first rank sees counts
@@ -125,7 +136,8 @@ void SnapshotFile::begin(std::int64_t step, double time)
     step_ = step;
     time_ = time;
     points_.clear();
-    if (firstOfAppend_) removeFrom(step);
+    if (firstOfAppend_)
+        removeFrom(step);
     firstOfAppend_ = false;
 }
 
@@ -136,7 +148,10 @@ void SnapshotFile::end()
     writeXdmf();
 }
 
-std::string SnapshotFile::groupOf(const std::string& series) const { return "/" + series + "/" + stepName(step_); }
+std::string SnapshotFile::groupOf(const std::string& series) const
+{
+    return "/" + series + "/" + stepName(step_);
+}
 
 std::string SnapshotFile::reference(const std::string& series, const std::string& array) const
 {
@@ -198,7 +213,8 @@ void SnapshotFile::bonds(const std::string& series, const std::vector<Ends>& ids
     std::vector<Ends> ends;
     std::vector<std::vector<double>> values(arrays.size());
     for (std::size_t b = 0; b < places.size(); ++b) {
-        if (places[b][0] < 0 || places[b][1] < 0) continue;
+        if (places[b][0] < 0 || places[b][1] < 0)
+            continue;
         ends.push_back(places[b]);
         for (std::size_t a = 0; a < arrays.size(); ++a) {
             const double* first = arrays[a].values + b * arrays[a].components;
@@ -206,14 +222,15 @@ void SnapshotFile::bonds(const std::string& series, const std::vector<Ends>& ids
         }
     }
     std::vector<SnapshotArray> kept(arrays);
-    for (std::size_t a = 0; a < arrays.size(); ++a) kept[a].values = values[a].data();
+    for (std::size_t a = 0; a < arrays.size(); ++a)
+        kept[a].values = values[a].data();
 
     const std::int64_t count = std::int64_t(ends.size());
     const Share share = shareOf(count, comm_);
     openGroup(series);
     writeDataset(group_, "ends", H5T_NATIVE_INT64, rows(share, count, 2), ends.data());
-    std::string content = fmt::format("<Topology TopologyType=\"Polyline\" NodesPerElement=\"2\" NumberOfElements=\"{}\">",
-                                      share.total);
+    std::string content =
+        fmt::format("<Topology TopologyType=\"Polyline\" NodesPerElement=\"2\" NumberOfElements=\"{}\">", share.total);
     content += dataItem(fmt::format("{} 2", share.total), "Int", reference(series, "ends")) + "</Topology>\n" + points_;
     content += writeRows(series, kept, count, "Cell");
     closeGroup(series, uniformGrid(series, time_, content));
@@ -232,7 +249,8 @@ std::vector<Ends> SnapshotFile::placesOf(const std::vector<Ends>& ids)
         addresses.push_back({ids_[n], first + std::int64_t(n)});
     }
     std::unordered_map<std::int64_t, std::int64_t> placeOf;
-    for (const Ends& address : router.send(to, addresses)) placeOf[address[0]] = address[1];
+    for (const Ends& address : router.send(to, addresses))
+        placeOf[address[0]] = address[1];
 
     to.clear();
     std::vector<std::int64_t> questions;
@@ -249,7 +267,8 @@ std::vector<Ends> SnapshotFile::placesOf(const std::vector<Ends>& ids)
     }
     answers = router.answer(answers);
     std::vector<Ends> places(ids.size());
-    for (std::size_t b = 0; b < places.size(); ++b) places[b] = {answers[2 * b], answers[2 * b + 1]};
+    for (std::size_t b = 0; b < places.size(); ++b)
+        places[b] = {answers[2 * b], answers[2 * b + 1]};
     return places;
 }
 
@@ -263,7 +282,8 @@ void SnapshotFile::coarse(const std::string& series, const CoarseGrid& grid, con
     std::string content = fmt::format(
         "<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n<Geometry GeometryType=\"ORIGIN_DXDYDZ\">"
         "<DataItem Dimensions=\"3\" NumberType=\"Float\" Format=\"XML\">{:.12g} {:.12g} {:.12g}</DataItem>"
-        "<DataItem Dimensions=\"3\" NumberType=\"Float\" Format=\"XML\">{:.12g} {:.12g} {:.12g}</DataItem></Geometry>\n",
+        "<DataItem Dimensions=\"3\" NumberType=\"Float\" Format=\"XML\">{:.12g} {:.12g} "
+        "{:.12g}</DataItem></Geometry>\n",
         n[2] + 1, n[1] + 1, n[0] + 1, origin.z, origin.y, origin.x, grid.cellSize(), grid.cellSize(), grid.cellSize());
     for (const SnapshotArray& array : arrays) {
         Hyperslab slab;
@@ -285,13 +305,15 @@ void SnapshotFile::coarse(const std::string& series, const CoarseGrid& grid, con
 
 void SnapshotFile::writeXdmf() const
 {
-    if (rankIn(comm_) > 0) return;
+    if (rankIn(comm_) > 0)
+        return;
     const std::string draft = xdmfPath_ + ".part";
     std::ofstream out(draft);
     out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
     for (const auto& [series, steps] : xdmf_) {
         out << fmt::format("<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", series);
-        for (const auto& entry : steps) out << entry.second;
+        for (const auto& entry : steps)
+            out << entry.second;
         out << "</Grid>\n";
     }
     out << "</Domain>\n</Xdmf>\n";

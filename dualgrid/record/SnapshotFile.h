@@ -24,7 +24,8 @@
 #include "CoarseGrid.h"
 #include "Vec3.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// `components` doubles per particle, bond or cell: 1 scalar, 3 vector, 6 symmetric tensor (xx yy zz xy xz yz).
 struct SnapshotArray {
@@ -74,8 +75,8 @@ class SnapshotFile
     std::int64_t file_ = -1, group_ = -1; ///< HDF5's handles while open
     std::int64_t step_ = 0;
     double time_ = 0;
-    std::string points_;                                           ///< XDMF geometry of the last particles()
-    std::vector<std::int64_t> ids_;                                ///< of the last particles()
+    std::string points_;                                              ///< XDMF geometry of the last particles()
+    std::vector<std::int64_t> ids_;                                   ///< of the last particles()
     std::map<std::string, std::map<std::int64_t, std::string>> xdmf_; ///< series, step: the XDMF grid
 };
 

@@ -12,7 +12,8 @@
 #include "Prolongation.h"
 #include "Restriction.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// Output of the coupling on the fine mesh, one entry per fine cell of this rank.
 struct FineSource {

@@ -3,9 +3,11 @@
 #include "DirectScheme.h"
 #include "DualGridScheme.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 ProlongationSettings readProlongation(const Settings& settings)
 {
@@ -18,7 +20,8 @@ ProlongationSettings readProlongation(const Settings& settings)
 double readSmallestFluidFraction(const Settings& settings)
 {
     const double smallest = settings.positive("min", 0.2);
-    if (smallest >= 1) settings.reject("min", "leaves no room for particles", "Use 0.2, below that of a dense packing");
+    if (smallest >= 1)
+        settings.reject("min", "leaves no room for particles", "Use 0.2, below that of a dense packing");
     return smallest;
 }
 
@@ -49,7 +52,10 @@ CouplingStep::CouplingStep(const Settings& settings, const CoarseGrid& grid, con
 
 CouplingStep::~CouplingStep() = default;
 
-void CouplingStep::setParts(const std::vector<FinePiece>& pieces) { scheme_->setParts(pieces); }
+void CouplingStep::setParts(const std::vector<FinePiece>& pieces)
+{
+    scheme_->setParts(pieces);
+}
 
 void CouplingStep::setLocator(std::function<int(const Vec3&)> fineCellAt)
 {

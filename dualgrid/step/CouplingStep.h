@@ -8,9 +8,9 @@
 /// Momentum: the particles report the drag and added-mass impulse that they really received since the last exchange;
 /// the fluid gets exactly the opposite during its next step, one step late, with no estimate (physics: model A,
 /// S = -Σ (fd + fa)/V).
-/// Cost: O(particles x 8 + fine cells), four small halo exchanges and one Allreduce of a few numbers. Buffers only grow.
-/// Parallel: one object per fluid rank, every call is collective over the communicator. For one number of ranks the
-/// result does not depend on how the particles came in; between numbers of ranks it differs by round-off only.
+/// Cost: O(particles x 8 + fine cells), four small halo exchanges and one Allreduce of a few numbers. Buffers only
+/// grow. Parallel: one object per fluid rank, every call is collective over the communicator. For one number of ranks
+/// the result does not depend on how the particles came in; between numbers of ranks it differs by round-off only.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,8 @@
 #include "Overlap.h"
 #include "Settings.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class CouplingStep
 {

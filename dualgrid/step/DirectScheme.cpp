@@ -6,7 +6,8 @@
 #include "ParticleReach.h"
 #include "Sum.h"
 
-namespace frazil {
+namespace frazil
+{
 
 DirectScheme::DirectScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
                            const CoarseGrid& grid, MPI_Comm comm)
@@ -57,7 +58,8 @@ Ledger DirectScheme::advance(const ParticleView& particles, const FineFlow& flow
         answers = router_.answer(interact(visitors, flow, source));
     }
     replies.assign(particles.count, Interaction{});
-    for (std::size_t n = 0; n < who.size(); ++n) replies[who[n]] = answers[n];
+    for (std::size_t n = 0; n < who.size(); ++n)
+        replies[who[n]] = answers[n];
     ledger.addFine(flow, source.solidFraction, source.force, deltaT);
     ledger.sumOver(comm_);
     return ledger;
@@ -79,13 +81,15 @@ std::vector<DirectScheme::Place> DirectScheme::locate(const ParticleView& partic
     std::vector<int> found(asked.size());
     for (std::size_t n = 0; n < asked.size(); ++n) {
         found[n] = fineCellAt_(asked[n]);
-        if (found[n] >= 0 && !(flow.fluidFraction[found[n]] > 0)) found[n] = -1; // inside a body
+        if (found[n] >= 0 && !(flow.fluidFraction[found[n]] > 0))
+            found[n] = -1; // inside a body
     }
     const std::vector<int> answer = router_.answer(found);
     std::vector<Place> places(particles.count);
     for (std::size_t n = 0; n < answer.size(); ++n) {
         Place& place = places[asker[n]];
-        if (answer[n] >= 0 && place.rank < 0) place = {to[n], answer[n]};
+        if (answer[n] >= 0 && place.rank < 0)
+            place = {to[n], answer[n]};
     }
     return places;
 }
@@ -135,7 +139,8 @@ void DirectScheme::settle(const std::vector<Visitor>& visitors, const FineFlow& 
 {
     std::vector<std::size_t> order(visitors.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return visitors[a].id < visitors[b].id; });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return visitors[a].id < visitors[b].id; });
     for (const std::size_t n : order) {
         const Visitor& visitor = visitors[n];
         source.solidFraction[visitor.fineCell] += visitor.volume;
@@ -151,7 +156,8 @@ void DirectScheme::fitSolid(const FineFlow& flow, FineSource& source, Ledger& le
 {
     for (std::size_t f = 0; f < flow.count; ++f) {
         double& solid = source.solidFraction[f];
-        if (!(solid > 0)) continue;
+        if (!(solid > 0))
+            continue;
         const double open = flow.open(f) * flow.volume[f], room = (1 - settings_.smallestFluidFraction) * open;
         if (solid > room) {
             ledger.clippedVolume += solid - room;
@@ -169,9 +175,9 @@ std::vector<Interaction> DirectScheme::interact(const std::vector<Visitor>& visi
     forces_.withDrag([&](const auto& force) {
         for (std::size_t n = 0; n < visitors.size(); ++n) {
             const int f = visitors[n].fineCell;
-            const LocalFlow local{1 - source.solidFraction[f], flow.wetFraction[f],  flow.velocity[f],
-                                  flow.pressureGradient[f],    flow.viscousForce[f], flow.acceleration[f],
-                                  flow.vorticity[f]};
+            const LocalFlow local{
+                1 - source.solidFraction[f], flow.wetFraction[f],  flow.velocity[f], flow.pressureGradient[f],
+                flow.viscousForce[f],        flow.acceleration[f], flow.vorticity[f]};
             answers[n] = force(local, visitors[n].state, water_, air_);
         }
     });

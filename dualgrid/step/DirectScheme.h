@@ -1,7 +1,8 @@
 /// `dualGrid off`, the conventional scheme: each particle couples with the fine cell that holds its centre.
 ///
-/// The fine cell's own values act on the particle; its whole volume and impulse go into that cell. Meant for comparison:
-/// as soon as a fine cell is not much larger than a particle, the solid does not fit and is clipped (see the ledger).
+/// The fine cell's own values act on the particle; its whole volume and impulse go into that cell. Meant for
+/// comparison: as soon as a fine cell is not much larger than a particle, the solid does not fit and is clipped (see
+/// the ledger).
 ///
 /// Algorithm: the owner of the particle's coarse cell knows which ranks have fine cells there; it asks them for the
 /// centre (the lowest rank that finds it wins), sends the particle there and gets the Interaction back. A centre in no
@@ -13,7 +14,8 @@
 #include "CouplingScheme.h"
 #include "Router.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class DirectScheme : public CouplingScheme
 {

@@ -6,7 +6,8 @@
 #include "ParticleReach.h"
 #include "Sum.h"
 
-namespace frazil {
+namespace frazil
+{
 
 DualGridScheme::DualGridScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water,
                                const Phase& air, const CoarseGrid& grid, MPI_Comm comm)
@@ -27,10 +28,10 @@ Ledger DualGridScheme::advance(const ParticleView& particles, const FineFlow& fl
                                std::vector<Interaction>& replies, FineSource& source)
 {
     Ledger ledger;
-    restrictFluid(flow);              // fine -> coarse: averages of the fluid
-    project(particles, ledger);       // particles -> coarse: solid volume, impulse
-    interact(particles, replies);     // coarse -> particles: local flow, force laws
-    prolong(flow, deltaT, source);    // coarse -> fine: αs, force on the fluid
+    restrictFluid(flow);           // fine -> coarse: averages of the fluid
+    project(particles, ledger);    // particles -> coarse: solid volume, impulse
+    interact(particles, replies);  // coarse -> particles: local flow, force laws
+    prolong(flow, deltaT, source); // coarse -> fine: αs, force on the fluid
     ledger.addFine(flow, source.solidFraction, source.force, deltaT);
     ledger.sumOver(comm_);
     return ledger;
@@ -41,7 +42,8 @@ void DualGridScheme::restrictFluid(const FineFlow& flow)
     const PhaseTimer::Scope scope(timer, PhaseTimer::restriction);
     restrictSums(parts_, flow, cells, fluid);
     plan_.accumulate(fluid.data());
-    for (int c = 0; c < cells.ownedCount(); ++c) finishAverages(fluid[c], cells.grid().cellVolume());
+    for (int c = 0; c < cells.ownedCount(); ++c)
+        finishAverages(fluid[c], cells.grid().cellVolume());
     plan_.update(fluid.data());
     openVolume_.reset(cells);
     fluidMass_.reset(cells);
@@ -79,7 +81,8 @@ void DualGridScheme::spreadParticles(const ParticleView& particles, Ledger& ledg
         spread(stencil, volume, solidVolume);
         ledger.particleVolume += volume;
         ledger.dryParticles += dry_[i];
-        if (!settings_.momentumExchange) continue;
+        if (!settings_.momentumExchange)
+            continue;
         // By mass: a particle at the surface pushes the water, not the air above it.
         reweigh(byMass, fluidMass_);
         spread(byMass, particles.impulse[i], impulse);
@@ -100,7 +103,8 @@ void DualGridScheme::fitSolid(Ledger& ledger)
             ++ledger.clippedCells;
             solidVolume[c] = room;
         }
-        if (openVolume_[c] > 0) solidFraction_[c] = solidVolume[c] / openVolume_[c];
+        if (openVolume_[c] > 0)
+            solidFraction_[c] = solidVolume[c] / openVolume_[c];
     }
 }
 
@@ -113,7 +117,8 @@ void DualGridScheme::placeImpulse(Ledger& ledger)
         impulse[c] += carried_[c];
         ledger.coarseImpulse += impulse[c];
         carried_[c] = Vec3{};
-        if (fluidMass_[c] > 0) continue;
+        if (fluidMass_[c] > 0)
+            continue;
         std::swap(carried_[c], impulse[c]);
         ledger.unplaced += carried_[c];
     }
@@ -125,7 +130,8 @@ void DualGridScheme::interact(const ParticleView& particles, std::vector<Interac
     replies.assign(particles.count, Interaction{});
     forces_.withDrag([&](const auto& force) {
         for (std::size_t i = 0; i < particles.count; ++i) {
-            if (!dry_[i]) replies[i] = force(flowAt(stencils_[i]), stateOf(particles, i), water_, air_);
+            if (!dry_[i])
+                replies[i] = force(flowAt(stencils_[i]), stateOf(particles, i), water_, air_);
         }
     });
 }
@@ -159,22 +165,26 @@ void DualGridScheme::prolong(const FineFlow& flow, double deltaT, FineSource& so
 void DualGridScheme::prolongSolid(const FineFlow& flow, FineSource& source)
 {
     density_.resize(flow.count);
-    for (std::size_t f = 0; f < flow.count; ++f) density_[f] = flow.open(f);
+    for (std::size_t f = 0; f < flow.count; ++f)
+        density_[f] = flow.open(f);
     solidProlongation_.shape(parts_, cells, solidFraction_, openVolume_, density_.data(), scalarMoment_);
     complete(scalarMoment_);
     solidProlongation_.spread(parts_, solidFraction_, openVolume_, density_.data(), scalarMoment_, 0,
                               1 - settings_.smallestFluidFraction, source.solidFraction.data());
     for (std::size_t f = 0; f < flow.count; ++f) {
-        if (source.solidFraction[f] > 0) source.solidFraction[f] /= flow.open(f) * flow.volume[f];
+        if (source.solidFraction[f] > 0)
+            source.solidFraction[f] /= flow.open(f) * flow.volume[f];
     }
 }
 
 void DualGridScheme::prolongForce(const FineFlow& flow, double deltaT, FineSource& source)
 {
-    for (std::size_t f = 0; f < flow.count; ++f) density_[f] = flow.density[f] * flow.fluidFraction[f];
+    for (std::size_t f = 0; f < flow.count; ++f)
+        density_[f] = flow.density[f] * flow.fluidFraction[f];
     acceleration_.reset(cells);
     for (int c = 0; c < cells.count(); ++c) {
-        if (fluidMass_[c] > 0) acceleration_[c] = impulse[c] * (-1 / (deltaT * fluidMass_[c]));
+        if (fluidMass_[c] > 0)
+            acceleration_[c] = impulse[c] * (-1 / (deltaT * fluidMass_[c]));
     }
     forceProlongation_.shape(parts_, cells, acceleration_, fluidMass_, density_.data(), vectorMoment_);
     complete(vectorMoment_);

@@ -5,7 +5,8 @@
 #include "ExchangePlan.h"
 #include "Kernel.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class DualGridScheme : public CouplingScheme
 {

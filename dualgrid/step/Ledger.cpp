@@ -7,11 +7,16 @@
 #include "Restriction.h"
 #include "Sum.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
-double relative(double difference, double scale) { return scale > 0 ? difference / scale : difference; }
+double relative(double difference, double scale)
+{
+    return scale > 0 ? difference / scale : difference;
+}
 
 } // namespace
 
@@ -32,30 +37,45 @@ void Ledger::sumOver(MPI_Comm comm)
 
     double sums[23];
     int n = 0;
-    for (const double* number : numbers) sums[n++] = *number;
+    for (const double* number : numbers)
+        sums[n++] = *number;
     for (const Vec3* vector : vectors) {
-        for (int a = 0; a < 3; ++a) sums[n++] = (*vector)[a];
+        for (int a = 0; a < 3; ++a)
+            sums[n++] = (*vector)[a];
     }
-    for (const std::int64_t* count : counts) sums[n++] = double(*count); // exact below 2^53
+    for (const std::int64_t* count : counts)
+        sums[n++] = double(*count); // exact below 2^53
     sumOverRanks(sums, n, comm);
     n = 0;
-    for (double* number : numbers) *number = sums[n++];
+    for (double* number : numbers)
+        *number = sums[n++];
     for (Vec3* vector : vectors) {
-        for (int a = 0; a < 3; ++a) (*vector)[a] = sums[n++];
+        for (int a = 0; a < 3; ++a)
+            (*vector)[a] = sums[n++];
     }
-    for (std::int64_t* count : counts) *count = std::int64_t(sums[n++]);
+    for (std::int64_t* count : counts)
+        *count = std::int64_t(sums[n++]);
 }
 
-double Ledger::volumeErrorCoarse() const { return relative(std::abs(coarseVolume - particleVolume), particleVolume); }
+double Ledger::volumeErrorCoarse() const
+{
+    return relative(std::abs(coarseVolume - particleVolume), particleVolume);
+}
 
 double Ledger::volumeErrorFine() const
 {
     return relative(std::abs(fineVolume + clippedVolume - coarseVolume), particleVolume);
 }
 
-double Ledger::impulseErrorCoarse() const { return relative(norm(coarseImpulse - received - carriedIn), impulseScale); }
+double Ledger::impulseErrorCoarse() const
+{
+    return relative(norm(coarseImpulse - received - carriedIn), impulseScale);
+}
 
-double Ledger::impulseErrorFine() const { return relative(norm(given + unplaced - coarseImpulse), impulseScale); }
+double Ledger::impulseErrorFine() const
+{
+    return relative(norm(given + unplaced - coarseImpulse), impulseScale);
+}
 
 std::string Ledger::csvHeader()
 {

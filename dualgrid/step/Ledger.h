@@ -10,7 +10,8 @@
 
 #include "Vec3.h"
 
-namespace frazil {
+namespace frazil
+{
 
 struct FineFlow;
 
@@ -22,16 +23,16 @@ struct Ledger {
     double clippedVolume = 0;  ///< did not fit below 1 - voidFraction.min
 
     // Impulse of drag and added mass [N s]: received + carriedIn = coarse, coarse = given + unplaced.
-    Vec3 received;             ///< by the particles, since the last exchange
-    Vec3 carriedIn;            ///< left over from the step before
-    Vec3 coarseImpulse;        ///< on the coarse grid after projection, carriedIn included
-    Vec3 given;                ///< to the fine mesh in the coming step, sign of the particles' (force on fluid = -given/Δt)
-    Vec3 unplaced;             ///< in coarse cells without fluid, tried again next step
-    double impulseScale = 0;   ///< Σ |impulse_p| + Σ |carried|, what the errors are relative to
+    Vec3 received;      ///< by the particles, since the last exchange
+    Vec3 carriedIn;     ///< left over from the step before
+    Vec3 coarseImpulse; ///< on the coarse grid after projection, carriedIn included
+    Vec3 given;         ///< to the fine mesh in the coming step, sign of the particles' (force on fluid = -given/Δt)
+    Vec3 unplaced;      ///< in coarse cells without fluid, tried again next step
+    double impulseScale = 0; ///< Σ |impulse_p| + Σ |carried|, what the errors are relative to
 
     std::int64_t particles = 0;
-    std::int64_t dryParticles = 0;  ///< with no fluid in their whole stencil: they feel nothing
-    std::int64_t clippedCells = 0;  ///< coarse cells with clipped volume
+    std::int64_t dryParticles = 0; ///< with no fluid in their whole stencil: they feel nothing
+    std::int64_t clippedCells = 0; ///< coarse cells with clipped volume
 
     /// Adds what the fine mesh of this rank got: αs, and the force [N] over the coming step.
     void addFine(const FineFlow& flow, const std::vector<double>& solidFraction, const std::vector<Vec3>& force,
@@ -39,10 +40,10 @@ struct Ledger {
     /// Sums every entry over the ranks.
     void sumOver(MPI_Comm comm);
 
-    double volumeErrorCoarse() const;   ///< |coarse - particles| / particles
-    double volumeErrorFine() const;     ///< |fine + clipped - coarse| / particles
-    double impulseErrorCoarse() const;  ///< |coarse - received - carriedIn| / scale
-    double impulseErrorFine() const;    ///< |given + unplaced - coarse| / scale
+    double volumeErrorCoarse() const;  ///< |coarse - particles| / particles
+    double volumeErrorFine() const;    ///< |fine + clipped - coarse| / particles
+    double impulseErrorCoarse() const; ///< |coarse - received - carriedIn| / scale
+    double impulseErrorFine() const;   ///< |given + unplaced - coarse| / scale
 
     /// Header and line of ledger.csv, without line end.
     static std::string csvHeader();

@@ -6,9 +6,11 @@
 
 #include "InputError.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 [[noreturn]] void refuse(const ParticleView& particles, std::size_t i, const CoarseGrid& grid)
 {
@@ -25,7 +27,8 @@ namespace {
 int homeOf(const ParticleView& particles, std::size_t i, const LocalCells& cells)
 {
     const int home = cells.local(cells.grid().cellOf(particles.position[i]));
-    if (home < 0 || home >= cells.ownedCount()) refuse(particles, i, cells.grid());
+    if (home < 0 || home >= cells.ownedCount())
+        refuse(particles, i, cells.grid());
     return home;
 }
 
@@ -33,7 +36,8 @@ std::vector<std::int64_t> touchedCells(const std::vector<FinePiece>& pieces)
 {
     std::vector<std::int64_t> touched;
     for (const FinePiece& piece : pieces) {
-        if (touched.empty() || touched.back() != piece.coarseCell) touched.push_back(piece.coarseCell);
+        if (touched.empty() || touched.back() != piece.coarseCell)
+            touched.push_back(piece.coarseCell);
     }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());

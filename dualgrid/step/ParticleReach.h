@@ -8,7 +8,8 @@
 #include "Overlap.h"
 #include "ParticleView.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// Owned local cell that holds particle i. InputError, naming the particle and the cure, if this rank does not own it.
 int homeOf(const ParticleView& particles, std::size_t i, const LocalCells& cells);

@@ -4,7 +4,8 @@
 #include <array>
 #include <chrono>
 
-namespace frazil {
+namespace frazil
+{
 
 class PhaseTimer
 {
@@ -20,7 +21,8 @@ class PhaseTimer
     double total() const
     {
         double sum = 0;
-        for (double s : seconds_) sum += s;
+        for (double s : seconds_)
+            sum += s;
         return sum;
     }
 

@@ -7,7 +7,8 @@
 using frazil::InputError;
 using frazil::Settings;
 
-namespace {
+namespace
+{
 
 const char* const file = "constant/couplingProperties";
 
@@ -92,7 +93,9 @@ TEST(Settings, WordsOfTheOtherRefusals)
     settings.set("watchdog", "ten");
     EXPECT_EQ(refusal([&] { settings.number("watchdog"); }),
               "constant/couplingProperties: watchdog ten: is not a number. Write it like 0.005 or 5e-3, in SI units.");
-    EXPECT_EQ(refusal([&] { settings.word("drag", {"DiFelice", "Gidaspov"}); }),
+    EXPECT_EQ(refusal([&] {
+                  settings.word("drag", {"DiFelice", "Gidaspov"});
+              }),
               "constant/couplingProperties: drag Gidaspow: is not one of the choices (did you mean \"Gidaspov\"?). "
               "Choose from: DiFelice, Gidaspov.");
     EXPECT_EQ(refusal([&] { settings.flag("drag", true); }),

@@ -10,7 +10,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 const double pi = 3.14159265358979323846;
 const Phase water{1000, 1e-3}, air{1.2, 1.8e-5};
@@ -18,7 +19,8 @@ const Phase water{1000, 1e-3}, air{1.2, 1.8e-5};
 ForceModel model(std::initializer_list<std::pair<const char*, const char*>> entries)
 {
     Settings settings("constant/couplingProperties", "forces");
-    for (const auto& [key, value] : entries) settings.set(key, value);
+    for (const auto& [key, value] : entries)
+        settings.set(key, value);
     const ForceModel forces(settings);
     settings.finish();
     return forces;

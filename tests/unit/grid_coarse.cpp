@@ -9,11 +9,15 @@ using frazil::CoarseGrid;
 using frazil::LocalCells;
 using frazil::Vec3;
 
-namespace {
+namespace
+{
 
 const Vec3 down{0, -9.81, 0};
 
-CoarseGrid plate(int owners) { return CoarseGrid(Box{{-1, 0, 2}, {1.3, 0.75, 4}}, 0.25, owners, down); }
+CoarseGrid plate(int owners)
+{
+    return CoarseGrid(Box{{-1, 0, 2}, {1.3, 0.75, 4}}, 0.25, owners, down);
+}
 
 } // namespace
 
@@ -55,7 +59,8 @@ TEST(CoarseGrid, EveryCellIsInItsOwnersBlockOnce)
         for (std::int64_t id = 0; id < grid.cellCount(); ++id) {
             const auto block = grid.block(grid.ownerOf(id));
             const auto c = grid.index(id);
-            for (int a = 0; a < 3; ++a) EXPECT_TRUE(c[a] >= block.lo[a] && c[a] < block.hi[a]);
+            for (int a = 0; a < 3; ++a)
+                EXPECT_TRUE(c[a] >= block.lo[a] && c[a] < block.hi[a]);
         }
     }
 }
@@ -63,7 +68,8 @@ TEST(CoarseGrid, EveryCellIsInItsOwnersBlockOnce)
 TEST(CoarseGrid, BlocksAreAsSquareAsPossible)
 {
     const CoarseGrid grid = plate(4); // 10 x 8 columns: 2 x 2 blocks of 5 x 4
-    for (int owner = 0; owner < 4; ++owner) EXPECT_EQ(grid.block(owner).count(), 5 * 3 * 4);
+    for (int owner = 0; owner < 4; ++owner)
+        EXPECT_EQ(grid.block(owner).count(), 5 * 3 * 4);
 }
 
 TEST(CoarseGrid, RefusesInWords)
@@ -76,17 +82,22 @@ TEST(CoarseGrid, RefusesInWords)
         }
         return "";
     };
-    EXPECT_EQ(refusal([] { plate(11); }),
-              "constant/couplingProperties: coarseGrid: 8 x 10 columns of cells across y (the vertical) cannot be shared "
-              "in blocks among 11 fluid ranks, at least one column each. Use fewer fluid ranks, a smaller cellSize or a "
-              "larger box.");
-    EXPECT_EQ(refusal([] { CoarseGrid(Box{{0, 0, 0}, {1, 0, 1}}, 0.1, 1, down); }),
+    EXPECT_EQ(
+        refusal([] { plate(11); }),
+        "constant/couplingProperties: coarseGrid: 8 x 10 columns of cells across y (the vertical) cannot be shared "
+        "in blocks among 11 fluid ranks, at least one column each. Use fewer fluid ranks, a smaller cellSize or a "
+        "larger box.");
+    EXPECT_EQ(refusal([] {
+                  CoarseGrid(Box{{0, 0, 0}, {1, 0, 1}}, 0.1, 1, down);
+              }),
               "constant/couplingProperties: coarseGrid.max (1 0 1): does not lie above min (0 0 0) along y. "
               "Give the lower corner as min and the upper one as max.");
     EXPECT_EQ(refusal([] { requireCellSize(plate(1), 0.3); }),
               "constant/couplingProperties: coarseGrid.cellSize 0.25: is smaller than the largest particle's diameter "
               "0.3 m. Make it 2 to 4 particle diameters.");
-    EXPECT_EQ(refusal([] { requireReach(plate(1), Box{{-2, 0, 2}, {1, 0.5, 3}}); }),
+    EXPECT_EQ(refusal([] {
+                  requireReach(plate(1), Box{{-2, 0, 2}, {1, 0.5, 3}});
+              }),
               "constant/couplingProperties: coarseGrid: the box (-1 0 2) - (1.5 0.75 4) is smaller than the particles' "
               "reach (-2 0 2) - (1 0.5 3). Move min and max outwards until the particles' reach lies inside.");
     EXPECT_EQ(refusal([] { requireReach(plate(1), Box{{-1, 0, 2}, {1, 0.5, 3}}); }), "");

@@ -8,7 +8,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 const double infinity = std::numeric_limits<double>::infinity();
 
@@ -24,7 +25,8 @@ struct Case {
     {
         std::vector<FinePiece> pieces;
         const int n[3] = {11, 7, 10};
-        for (int f = 0; f < n[0] * n[1] * n[2]; ++f) addCell(f, n, pieces);
+        for (int f = 0; f < n[0] * n[1] * n[2]; ++f)
+            addCell(f, n, pieces);
         parts = FineParts(pieces, cells);
         zero.resize(volume.size());
     }
@@ -56,7 +58,8 @@ struct Case {
     {
         CoarseField<CoarseFluid> fluid;
         restrictSums(parts, flow(), cells, fluid);
-        for (int c = 0; c < cells.count(); ++c) finishAverages(fluid[c], grid.cellVolume());
+        for (int c = 0; c < cells.count(); ++c)
+            finishAverages(fluid[c], grid.cellVolume());
         return fluid;
     }
 };
@@ -73,7 +76,8 @@ double referenceAt(const Case& c, const CoarseField<double>& value, int cell, co
         for (int k = 0; k < c.cells.count(); ++k) {
             const CellIndex j = c.grid.index(c.cells.global(k));
             bool shares = true;
-            for (int a = 0; a < 3; ++a) shares = shares && (j[a] == node[a] || j[a] == node[a] - 1);
+            for (int a = 0; a < 3; ++a)
+                shares = shares && (j[a] == node[a] || j[a] == node[a] - 1);
             if (shares) {
                 nodeSum += value[k];
                 ++around;
@@ -136,11 +140,14 @@ TEST(Restriction, LinearFieldGivesItsValueAtTheFluidsCentroid)
 TEST(Prolongation, CornerWeights)
 {
     const Box cell{{0, 0, 0}, {1, 1, 1}};
-    for (const double w : cornerWeights({0.5, 0.5, 0.5}, cell, 2)) EXPECT_DOUBLE_EQ(w, 0.125);
+    for (const double w : cornerWeights({0.5, 0.5, 0.5}, cell, 2))
+        EXPECT_DOUBLE_EQ(w, 0.125);
     const auto onNode = cornerWeights({1, 0, 1}, cell, 2);
-    for (int n = 0; n < 8; ++n) EXPECT_EQ(onNode[n], n == 5 ? 1 : 0);
+    for (int n = 0; n < 8; ++n)
+        EXPECT_EQ(onNode[n], n == 5 ? 1 : 0);
     double sum = 0;
-    for (const double w : cornerWeights({0.1, 0.7, 0.35}, cell, 3.5)) sum += w;
+    for (const double w : cornerWeights({0.1, 0.7, 0.35}, cell, 3.5))
+        sum += w;
     EXPECT_NEAR(sum, 1, 1e-15);
 }
 
@@ -172,7 +179,8 @@ TEST_P(ProlongationOf, SolidIsConservedAndBounded)
     fill([](int k) { return k % 4 == 0 ? 0 : k % 4 == 1 ? 0.8 : 0.4 + 0.3 * std::sin(k); });
     run(0, 0.8);
     double coarse = 0, sum = 0;
-    for (int k = 0; k < c.cells.count(); ++k) coarse += value[k] * weight[k];
+    for (int k = 0; k < c.cells.count(); ++k)
+        coarse += value[k] * weight[k];
     for (std::size_t f = 0; f < fine.size(); ++f) {
         sum += fine[f];
         const double alpha = fine[f] / (c.open[f] * c.volume[f]);
@@ -190,7 +198,8 @@ TEST_P(ProlongationOf, EveryCoarseCellKeepsItsOwn)
     std::vector<bool> touches(fine.size(), false);
     for (int row = 0; row < c.parts.rows(); ++row) {
         for (const FinePart* part = c.parts.begin(row); part != c.parts.end(row); ++part) {
-            if (c.parts.coarseCell(row) == 17) touches[part->fineCell] = true;
+            if (c.parts.coarseCell(row) == 17)
+                touches[part->fineCell] = true;
         }
     }
     double sum = 0;
@@ -205,7 +214,8 @@ TEST_P(ProlongationOf, UniformStaysUniform)
 {
     fill([](int) { return 0.3; });
     run(0, 0.8);
-    for (std::size_t f = 0; f < fine.size(); ++f) EXPECT_NEAR(fine[f] / (c.open[f] * c.volume[f]), 0.3, 1e-14);
+    for (std::size_t f = 0; f < fine.size(); ++f)
+        EXPECT_NEAR(fine[f] / (c.open[f] * c.volume[f]), 0.3, 1e-14);
 }
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutLimiter, ProlongationOf, ::testing::Bool());
@@ -215,8 +225,10 @@ TEST(Prolongation, UnlimitedShapeIsThatOfThePrintedEquations)
     // φ_p - φ_q of two parts of a coarse cell equals r_p - r_q of the reference.
     Case c;
     CoarseField<double> value(c.cells), weight(c.cells, 1.0), moment;
-    for (int k = 0; k < c.cells.count(); ++k) value[k] = std::cos(k);
-    for (auto& open : c.open) open = 1;
+    for (int k = 0; k < c.cells.count(); ++k)
+        value[k] = std::cos(k);
+    for (auto& open : c.open)
+        open = 1;
     Prolongation<double> prolongation({2, false});
     prolongation.shape(c.parts, c.cells, value, weight, c.open.data(), moment);
     for (int row = 0; row < c.parts.rows(); ++row) {
@@ -243,7 +255,8 @@ TEST(Prolongation, ForceGoesWithTheMassAndIsConserved)
         total += force;
     }
     std::vector<double> density(c.volume.size());
-    for (std::size_t f = 0; f < density.size(); ++f) density[f] = c.density[f] * c.epsilon[f];
+    for (std::size_t f = 0; f < density.size(); ++f)
+        density[f] = c.density[f] * c.epsilon[f];
     std::vector<Vec3> force(c.volume.size());
     Prolongation<Vec3> prolongation({2, true});
     prolongation.shape(c.parts, c.cells, acceleration, mass, density.data(), moment);
@@ -254,7 +267,9 @@ TEST(Prolongation, ForceGoesWithTheMassAndIsConserved)
         sum += force[f];
         fastest = std::max(fastest, std::abs(force[f].y) / (density[f] * c.volume[f]));
     }
-    for (int k = 0; k < c.cells.count(); ++k) fastestCoarse = std::max(fastestCoarse, acceleration[k].y);
-    for (int a = 0; a < 3; ++a) EXPECT_NEAR(sum[a], total[a], 1e-14 * norm(total));
+    for (int k = 0; k < c.cells.count(); ++k)
+        fastestCoarse = std::max(fastestCoarse, acceleration[k].y);
+    for (int a = 0; a < 3; ++a)
+        EXPECT_NEAR(sum[a], total[a], 1e-14 * norm(total));
     EXPECT_LE(fastest, fastestCoarse * (1 + 1e-12)) << "no fine cell is pushed harder than the coarse cells around";
 }

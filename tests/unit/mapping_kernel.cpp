@@ -7,7 +7,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 const CoarseGrid grid(Box{{0, 0, 0}, {5, 4, 3}}, 1, 1, {0, 0, -9.81});
 const LocalCells cells(grid, 0);
@@ -17,7 +18,8 @@ std::vector<Vec3> somePoints(int count)
     std::mt19937 random(7);
     std::uniform_real_distribution<double> u(0, 1);
     std::vector<Vec3> points;
-    for (int n = 0; n < count; ++n) points.push_back({5 * u(random), 4 * u(random), 3 * u(random)});
+    for (int n = 0; n < count; ++n)
+        points.push_back({5 * u(random), 4 * u(random), 3 * u(random)});
     return points;
 }
 
@@ -51,10 +53,13 @@ TEST(Kernel, LinearFieldIsExactInside)
 {
     CoarseField<double> field(cells);
     const auto linear = [](const Vec3& x) { return 2 + 3 * x.x - x.y + 0.5 * x.z; };
-    for (int c = 0; c < cells.count(); ++c) field[c] = linear(grid.centre(cells.global(c)));
+    for (int c = 0; c < cells.count(); ++c)
+        field[c] = linear(grid.centre(cells.global(c)));
     for (const Vec3& p : somePoints(1000)) {
         const bool inside = p.x > 0.5 && p.x < 4.5 && p.y > 0.5 && p.y < 3.5 && p.z > 0.5 && p.z < 2.5;
-        if (inside) { EXPECT_NEAR(gather(stencilOf(cells, p), field), linear(p), 1e-14); }
+        if (inside) {
+            EXPECT_NEAR(gather(stencilOf(cells, p), field), linear(p), 1e-14);
+        }
     }
 }
 
@@ -74,7 +79,8 @@ TEST(Kernel, SpreadAndGatherAreAdjoint)
         spread(stencil, q, sum);
         gathered += q * gather(stencil, phi);
     }
-    for (int c = 0; c < cells.count(); ++c) spreadAndWeighed += phi[c] * sum[c];
+    for (int c = 0; c < cells.count(); ++c)
+        spreadAndWeighed += phi[c] * sum[c];
     EXPECT_NEAR(gathered, spreadAndWeighed, 1e-12);
 }
 
@@ -85,10 +91,12 @@ TEST(Kernel, ReweighLeavesOutWhatCannotHold)
     importance[only] = 1e-3;
     Stencil stencil = stencilOf(cells, {2.1, 1.2, 1.3});
     ASSERT_TRUE(reweigh(stencil, importance));
-    for (int n = 0; n < 8; ++n) EXPECT_EQ(stencil.weight[n], stencil.cell[n] == only ? 1 : 0);
+    for (int n = 0; n < 8; ++n)
+        EXPECT_EQ(stencil.weight[n], stencil.cell[n] == only ? 1 : 0);
 
     Stencil far = stencilOf(cells, {0.2, 0.2, 0.2});
     const Stencil before = far;
     EXPECT_FALSE(reweigh(far, importance));
-    for (int n = 0; n < 8; ++n) EXPECT_EQ(far.weight[n], before.weight[n]);
+    for (int n = 0; n < 8; ++n)
+        EXPECT_EQ(far.weight[n], before.weight[n]);
 }

@@ -8,7 +8,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 const CoarseGrid grid(Box{{0, 0, 0}, {4, 4, 4}}, 1, 1, {0, 0, -9.81});
 
@@ -36,7 +37,8 @@ struct Pieces {
 
 void expectNear(const Vec3& a, const Vec3& b, double tolerance)
 {
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(a[i], b[i], tolerance);
 }
 
 } // namespace
@@ -80,8 +82,10 @@ TEST(Overlap, AnyTetrahedronAddsUpToTheWhole)
     std::uniform_real_distribution<double> u(0, 4);
     for (int n = 0; n < 300; ++n) {
         Vec3 corner[4];
-        for (Vec3& c : corner) c = {u(random), u(random), n % 5 ? u(random) : std::floor(u(random))}; // also on planes
-        const double whole = std::abs(dot(cross(corner[1] - corner[0], corner[2] - corner[0]), corner[3] - corner[0])) / 6;
+        for (Vec3& c : corner)
+            c = {u(random), u(random), n % 5 ? u(random) : std::floor(u(random))}; // also on planes
+        const double whole =
+            std::abs(dot(cross(corner[1] - corner[0], corner[2] - corner[0]), corner[3] - corner[0])) / 6;
         Pieces pieces;
         clipTetrahedron(corner, grid, pieces.sink);
         EXPECT_NEAR(pieces.total().volume, whole, 1e-13);
@@ -122,7 +126,8 @@ TEST(Overlap, TetrahedraOfABoxGiveTheBox)
 TEST(FineParts, GroupsByCoarseCellAndMergesPieces)
 {
     const LocalCells cells(grid, 0);
-    const FineParts parts({{0, 5, 1, {1, 0, 0}}, {1, 4, 2, {0, 0, 0}}, {0, 5, 3, {5, 0, 0}}, {1, 5, 1, {0, 0, 0}}}, cells);
+    const FineParts parts({{0, 5, 1, {1, 0, 0}}, {1, 4, 2, {0, 0, 0}}, {0, 5, 3, {5, 0, 0}}, {1, 5, 1, {0, 0, 0}}},
+                          cells);
     ASSERT_EQ(parts.rows(), 2);
     EXPECT_EQ(parts.coarseCell(0), 4);
     EXPECT_EQ(parts.end(0) - parts.begin(0), 1);
