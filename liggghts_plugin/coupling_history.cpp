@@ -2,7 +2,9 @@
 
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 
 #include "comm.h"
 #include "compute.h"
@@ -21,12 +23,22 @@ const int bodyColumns[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 13, 14, 15, 19, 20, 21, 25
 const char *const bodyNames[] = {"x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz", "contact_fx", "contact_fy",
                                  "contact_fz", "fluid_fx", "fluid_fy", "fluid_fz", "wetted"};
 
+// header and lines of a history up to a time [s]; the tolerance is for the printed digits
+std::vector<std::string> linesBefore(const std::string &file, double time)
+{
+  std::vector<std::string> lines;
+  std::ifstream in(file.c_str());
+  for (std::string line; std::getline(in, line);)
+    if (lines.empty() || atof(line.c_str()) < time * (1 - 1e-9)) lines.push_back(line);
+  return lines;
+}
+
 // places in the global vector of fix bond/parallel: intact, broken in tension, broken in shear
 const int bondColumns[] = {0, 2, 3};
 
 }
 
-CouplingHistory::CouplingHistory(LAMMPS *lmp, const std::string &file, int fragmentEvery, bool append) :
+CouplingHistory::CouplingHistory(LAMMPS *lmp, const std::string &file, int fragmentEvery, double continuedAt) :
   Pointers(lmp),
   out_(NULL),
   fragmentEvery_(fragmentEvery),
@@ -35,7 +47,7 @@ CouplingHistory::CouplingHistory(LAMMPS *lmp, const std::string &file, int fragm
   brokenThen_(-1),
   largest_(NAN)
 {
-  if (comm->me == 0) open(file, append);
+  if (comm->me == 0) open(file, continuedAt);
 }
 
 CouplingHistory::~CouplingHistory()
@@ -43,15 +55,18 @@ CouplingHistory::~CouplingHistory()
   if (out_) fclose(out_);
 }
 
-void CouplingHistory::open(const std::string &file, bool append)
+void CouplingHistory::open(const std::string &file, double continuedAt)
 {
-  out_ = fopen(file.c_str(), append ? "a" : "w");
+  const std::vector<std::string> before = continuedAt < 0 ? std::vector<std::string>() : linesBefore(file, continuedAt);
+  out_ = fopen(file.c_str(), "w");
   if (!out_) {
     const std::string message = "Fix couple/foam: cannot write history file " + file +
                                 ": " + strerror(errno) + ". Give another name with the keyword history";
     error->one(FLERR, message.c_str());
   }
-  if (!append || ftell(out_) == 0) writeHeader();
+  if (before.empty()) writeHeader();
+  for (const std::string &line : before) fprintf(out_, "%s\n", line.c_str());
+  fflush(out_);
 }
 
 void CouplingHistory::writeHeader()

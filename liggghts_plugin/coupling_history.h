@@ -17,8 +17,9 @@ namespace LAMMPS_NS {
 
 class CouplingHistory : protected Pointers {
  public:
-  // append: a continued run goes on in its file
-  CouplingHistory(LAMMPS *, const std::string &file, int fragmentEvery, bool append);
+  // continuedAt: fluid time of the restart [s], negative without one. A continued run goes on in its file, after
+  // the lines before this time.
+  CouplingHistory(LAMMPS *, const std::string &file, int fragmentEvery, double continuedAt);
   ~CouplingHistory();
 
   // line for the exchange at the order's time; wall: seconds since the handshake; waited: seconds of them
@@ -26,7 +27,7 @@ class CouplingHistory : protected Pointers {
   void write(const frazil::StepOrder &order, double wall, double waited);
 
  private:
-  void open(const std::string &file, bool append);
+  void open(const std::string &file, double continuedAt);
   void writeHeader();
   std::vector<class Fix *> bodyFixes() const;
   void countFragments(double broken);

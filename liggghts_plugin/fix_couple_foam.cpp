@@ -293,7 +293,7 @@ void FixCoupleFoam::startCoupling()
   const frazil::FoamHello foam = link_->handshake(hello());
   grid_.reset(new frazil::CoarseGrid(foam.coarse, foam.cellSize, int(foam.ranks), foam.gravity));
   if (!historyFile_.empty())
-    history_.reset(new CouplingHistory(lmp, historyFile_, fragmentEvery_, restartTime_ >= 0));
+    history_.reset(new CouplingHistory(lmp, historyFile_, fragmentEvery_, restartTime_));
   say("couple/foam: coupled with frazilFoam on " + std::to_string(foam.ranks) + " rank(s), coarse grid " +
       std::to_string(grid_->cells()[0]) + " x " + std::to_string(grid_->cells()[1]) + " x " +
       std::to_string(grid_->cells()[2]) + " cells\n");
@@ -400,6 +400,19 @@ void FixCoupleFoam::checkClock(const frazil::StepOrder &order)
     throw std::runtime_error("frazilFoam ordered a step of " + std::to_string(order.substeps) + " DEM steps");
 }
 
+/* ----------------------------------------------------------------------
+   beyond a fixed boundary: LIGGGHTS deletes the particle at its next neighbour list
+------------------------------------------------------------------------- */
+
+bool FixCoupleFoam::leftBox(const double *x) const
+{
+  for (int d = 0; d < 3; d++) {
+    if (domain->boundary[d][0] == 1 && x[d] < domain->boxlo[d]) return true;
+    if (domain->boundary[d][1] == 1 && x[d] > domain->boxhi[d]) return true;
+  }
+  return false;
+}
+
 void FixCoupleFoam::gatherRecords()
 {
   records_.clear();
@@ -407,9 +420,16 @@ void FixCoupleFoam::gatherRecords()
   const int *mask = atom->mask;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(mask[i] & groupbit)) continue;
+    if (leftBox(atom->x[i])) {
+      carried_[i] = Carried();
+      continue;
+    }
+    // between two neighbour lists a particle may stick out of a periodic box
+    double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+    domain->remap(x);
     frazil::ParticleRecord r;
     r.id = atom->tag[i];
-    r.position = vec(atom->x[i]);
+    r.position = vec(x);
     r.velocity = vec(atom->v[i]);
     r.angularVelocity = vec(atom->omega[i]);
     r.impulse = carried_[i].impulse;

@@ -73,6 +73,7 @@ class FixCoupleFoam : public Fix {
   void exchange();
   frazil::StepReport report();
   void checkClock(const frazil::StepOrder &order);
+  bool leftBox(const double *x) const;
   void gatherRecords();
   void sendBodies();
   void takeReplies();

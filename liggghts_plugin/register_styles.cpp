@@ -7,19 +7,12 @@
 #include <map>
 #include <string>
 
-#include "compute.h"
-#include "fix.h"
+#include "compute_fragment.h"
+#include "fix_body_rigid.h"
+#include "fix_bond_parallel.h"
+#include "fix_couple_foam.h"
 #include "input.h"
 #include "modify.h"
-
-#if __has_include("fix_couple_foam.h")
-#include "fix_couple_foam.h"
-#endif
-#include "fix_bond_parallel.h"
-#if __has_include("fix_body_rigid.h")
-#include "fix_body_rigid.h"
-#endif
-#include "compute_fragment.h"
 
 using namespace LAMMPS_NS;
 
@@ -63,13 +56,9 @@ void addStyles(LAMMPS *lmp)
   std::map<std::string, FixCreator> &fixes = *(lmp->modify->*memberOf(FixMap()));
   std::map<std::string, ComputeCreator> &computes = *(lmp->modify->*memberOf(ComputeMap()));
 
-#if __has_include("fix_couple_foam.h")
-  fixes["couple/foam"] = &newFix<FixCoupleFoam>;
-#endif
-  fixes["bond/parallel"] = &newFix<FixBondParallel>;
-#if __has_include("fix_body_rigid.h")
   fixes["body/rigid"] = &newFix<FixBodyRigid>;
-#endif
+  fixes["bond/parallel"] = &newFix<FixBondParallel>;
+  fixes["couple/foam"] = &newFix<FixCoupleFoam>;
   computes["fragment"] = &newCompute<ComputeFragment>;
 }
 

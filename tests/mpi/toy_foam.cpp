@@ -21,7 +21,7 @@ FoamHello greeting(const ToyArguments& arguments)
 {
     FoamHello hello;
     hello.gravity = {0, arguments.number("gravity", -9.81), 0};
-    hello.startTime = arguments.number("start", 0);
+    hello.startTime = arguments.number("start_time", 0);
     hello.endTime = hello.startTime + arguments.number("steps", 20) * arguments.number("deltaT", 1e-3);
     hello.coarse = hello.mesh = {{0, 0, 0}, {0.6, 0.4, 0.5}};
     hello.cellSize = 0.05;
