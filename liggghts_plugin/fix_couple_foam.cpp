@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "atom.h"
-#include "comm.h"
 #include "coupled_body.h"
 #include "coupling_history.h"
 #include "domain.h"
@@ -87,13 +86,13 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
 }
 
 /* ----------------------------------------------------------------------
-   collective: unfix, clear or the end of LIGGGHTS
+   collective: unfix, clear or the end of LIGGGHTS, which by now has deleted comm, update and output
 ------------------------------------------------------------------------- */
 
 FixCoupleFoam::~FixCoupleFoam()
 {
   if (link_ && exchangeStep_ >= 0 && !link_->finished()) {
-    link_->finish(update ? update->ntimestep * dt_ : 0);
+    link_->finish(order_.time);
     printTimers();
   }
   atom->delete_callback(id, 0);
@@ -523,7 +522,7 @@ double FixCoupleFoam::compute_vector(int n)
 
 void FixCoupleFoam::say(const std::string &message)
 {
-  if (comm->me != 0) return;
+  if (frazil::World::instance().ownRank() != 0) return;
   if (screen) fputs(message.c_str(), screen), fflush(screen);
   if (logfile) fputs(message.c_str(), logfile), fflush(logfile);
 }

@@ -142,11 +142,6 @@ std::string compareSpace(const DemHello& dem, const FoamHello& foam)
                              "Widen coarseGrid min and max in constant/couplingProperties.\n",
                              words(foam.coarse), words(dem.reach));
     }
-    if (dem.particles > 0 && foam.cellSize < 2 * dem.largestRadius) {
-        lines += fmt::format("coarseGrid cellSize: {:g} m is smaller than the largest particle's diameter, {:g} m. "
-                             "Take 2 to 4 diameters.\n",
-                             foam.cellSize, 2 * dem.largestRadius);
-    }
     const Box overlap{{std::max(foam.mesh.min.x, foam.coarse.min.x), std::max(foam.mesh.min.y, foam.coarse.min.y),
                        std::max(foam.mesh.min.z, foam.coarse.min.z)},
                       {std::min(foam.mesh.max.x, foam.coarse.max.x), std::min(foam.mesh.max.y, foam.coarse.max.y),

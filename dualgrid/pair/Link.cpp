@@ -5,27 +5,14 @@
 
 #include <fmt/format.h>
 
-#include "InputError.h"
-
 namespace frazil {
 
-namespace {
-
-World& coupledWorld(Side side)
+Link::Link(Side side) : world_(World::coupledInstance())
 {
-    if (!World::started() || !World::instance().coupled()) {
-        throw InputError("", "", "",
-                         fmt::format("{} has no partner: it was started alone", programName(side)),
-                         "start both in one command: mpirun -np 1 frazilDem -in SCRIPT : -np 1 frazilFoam -case CASE "
-                         "(with -parallel behind CASE if frazilFoam gets more than one rank)");
+    if (world_.side() != side) {
+        throw std::logic_error(fmt::format("{} took the link of {}", programName(world_.side()), programName(side)));
     }
-    World::instance().noteLink();
-    return World::instance();
 }
-
-} // namespace
-
-Link::Link(Side side) : world_(coupledWorld(side)) {}
 
 void Link::send(Tag tag, std::vector<char> bytes)
 {

@@ -1,11 +1,12 @@
 #include "World.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <unistd.h>
 #include <vector>
+
+#include "InputError.h"
 
 namespace frazil {
 
@@ -60,6 +61,13 @@ void atTerminate()
     std::abort();
 }
 
+InputError noPartner(Side side)
+{
+    return InputError("", "", "", std::string(programName(side)) + " has no partner: it was started alone",
+                      "start both in one command: mpirun -np 1 frazilDem -in SCRIPT : -np 1 frazilFoam -case CASE "
+                      "(with -parallel behind CASE if frazilFoam gets more than one rank)");
+}
+
 void printLine(const std::string& line)
 {
     std::fflush(stdout);
@@ -96,7 +104,20 @@ bool World::started()
 
 World& World::instance()
 {
+    if (!world) {
+        throw noPartner(declaredSide);
+    }
     return *world;
+}
+
+World& World::coupledInstance()
+{
+    World& here = instance();
+    if (!here.coupled_) {
+        throw noPartner(here.side_);
+    }
+    here.linked_ = true;
+    return here;
 }
 
 void World::split()

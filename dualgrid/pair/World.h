@@ -37,8 +37,11 @@ class World
     /// Was this process started by mpirun? A serial OpenFOAM program never starts MPI by itself; it must
     /// (UPstream::initNull) if it is to find a partner.
     static bool startedByMpirun();
-    /// Only once MPI has been initialised.
+    /// Throws InputError with the command to use if MPI has not been initialised (a serial program, not under mpirun).
     static World& instance();
+    /// For the links: throws InputError with the command to use if there is no partner. From now on leaving is a
+    /// failure of a running coupling, not of a program that never coupled.
+    static World& coupledInstance();
     static bool started();
     /// Splits the world; called by the shim's MPI_Init and MPI_Init_thread.
     static void split();
@@ -59,8 +62,6 @@ class World
     /// Where the coupling stands, for messages: "fluid time 0.0013 s, step 27".
     void setPosition(const std::string& position) { position_ = position; }
     const std::string& position() const { return position_; }
-    /// A link exists: leaving now is a failure of a running coupling, not of a program that never coupled.
-    void noteLink() { linked_ = true; }
     /// From now on leaving is no failure: both sides have agreed on the end (the links call it).
     void sayGoodbye() { goodbye_ = true; }
     bool saidGoodbye() const { return goodbye_; }
