@@ -132,7 +132,7 @@ void Foam::immersedBodies::checkInMesh() const
                 mesh.max().x(), mesh.max().y(), mesh.max().z()
             ),
             "Move the body or the mesh; STL files in millimetres must be "
-            "scaled to metres."
+            "scaled to metres; a body thinner than a cell needs a finer mesh."
         );
     }
 }
@@ -286,6 +286,7 @@ Foam::immersedBodies::immersedBodies
     mesh_(mesh),
     cutting_(new bodyCutting(mesh)),
     timeIndex_(-1),
+    found_(false),
     gamma_
     (
         bodyField(mesh, "gamma", IOobject::AUTO_WRITE),
@@ -359,7 +360,6 @@ void Foam::immersedBodies::place(const std::vector<frazil::BodyState>& states)
     start_ = end_;
 
     cutAt(end_, closedEnd_);
-    checkInMesh();
     gamma_.oldTime() == gamma_;
     closedStart_ = closedEnd_;
     timeIndex_ = mesh_.time().timeIndex();
@@ -380,6 +380,13 @@ void Foam::immersedBodies::move
         end_[i] = bodyPose(*ordered[i]).after(deltaT);
     }
     placeAtEnd();
+
+    // Once: a body may leave the mesh later, and may be loaded outside it
+    if (!found_)
+    {
+        checkInMesh();
+        found_ = true;
+    }
 }
 
 

@@ -7,7 +7,8 @@ Description
     what immersedBodies guarantees, and prints sums that must not depend on the
     number of ranks. Ends with a fatal error at the first broken guarantee.
 
-    bodyGeometry [-steps N] [-refine]: the mesh is told to be new in each step
+    -refine: the mesh is treated as new in each step, as after refinement;
+    -volumeFactor f: the partner's bodies have f times our volume
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
@@ -128,7 +129,14 @@ void report(const immersedBodies& bodies, const volScalarField& alpha1)
 }
 
 
-void run(Time& runTime, const fvMesh& mesh, const label steps, const bool refine)
+void run
+(
+    Time& runTime,
+    const fvMesh& mesh,
+    const label steps,
+    const bool refine,
+    const scalar volumeFactor
+)
 {
     const IOdictionary properties
     (
@@ -147,6 +155,7 @@ void run(Time& runTime, const fvMesh& mesh, const label steps, const bool refine
     std::vector<frazil::BodyState> states(bodies.asLoaded());
     for (frazil::BodyState& state : states)
     {
+        state.volume *= volumeFactor;
         state.velocity = toVec3(velocity);
         state.angularVelocity = toVec3(omega);
     }
@@ -194,6 +203,7 @@ int main(int argc, char* argv[])
 {
     argList::addOption("steps", "N", "steps to take, default 20");
     argList::addBoolOption("refine", "treat the mesh as new in each step");
+    argList::addOption("volumeFactor", "f", "error in the partner's volume");
     #include "setRootCase.H"
     #include "createTime.H"
     #include "createMesh.H"
@@ -202,7 +212,14 @@ int main(int argc, char* argv[])
     Info().precision(12);
     try
     {
-        run(runTime, mesh, args.getOrDefault<label>("steps", 20), args.found("refine"));
+        run
+        (
+            runTime,
+            mesh,
+            args.getOrDefault<label>("steps", 20),
+            args.found("refine"),
+            args.getOrDefault<scalar>("volumeFactor", 1)
+        );
     }
     catch (const std::exception& error)
     {

@@ -138,17 +138,22 @@ def wet(program):
 
 def errors(program):
     """Each mistake ends the program with a message that names it."""
-    def refused(bodies, words, extra="", **options):
-        make("errors", bodies, cells=10, extra=extra, **options)
-        message = call([program, "-case", "errors", "-steps", "0"], expect=1)
-        check(all(w in message for w in words), f"refused with {words}")
+    def refused(bodies, words, extra="", options=()):
+        make("errors", bodies, cells=10, extra=extra)
+        message = call([program, "-case", "errors", "-steps", "1", *options], expect=1)
         if not all(w in message for w in words):
             print(message[-1500:])
+        check(all(w in message for w in words), f"refused with {words}")
     good = sphere((0, 0, 0.02), 12)
     refused({"ball": good[:-1]}, ["not closed", "bodies.ball", "open edges"])
     refused({"ball": good}, ["slipp", "slip"], extra="slipp yes;")
     refused({"ball": sphere((0, 0, 20), 12)}, ["no part of the body is inside the mesh", "20"])
     refused({"ball": good}, ["lattice"], extra="lattice -1;")
+    refused({"ball": good}, ["volume", "ball.stl", "same unit"], options=["-volumeFactor", "1e9"])
+    needle = revolve([(0, 0), (0.0003, 0.0003), (0.0003, 0.02), (0, 0.02)], 8, (0.0014, 0.0014, 0.01))
+    refused({"needle": needle}, ["bodies.needle", "finer mesh"])
+    thin = revolve([(0, 0), (0.006, 0.0001), (0.006, 0.0021), (0, 0.002)], 24, (0.0005, 0.0007, 0.0208))
+    refused({"disc": thin}, ["bodies.disc", "Refine the mesh"])
     make("errors", {"ball": good}, cells=10)
     os.remove("errors/constant/triSurface/ball.stl")
     message = call([program, "-case", "errors", "-steps", "0"], expect=1)
