@@ -29,8 +29,8 @@ struct FineSource {
 
 struct CouplingSettings {
     ProlongationSettings prolongation;
-    double smallestFluidFraction = 0.2; ///< αf never falls below [-]
-    bool momentumExchange = true;       ///< off: the fluid does not feel the particles' drag
+    double smallestFluidFraction = 0.25; ///< αf never falls below [-]
+    bool momentumExchange = true;        ///< off: the fluid does not feel the particles' drag
 };
 
 class CouplingScheme

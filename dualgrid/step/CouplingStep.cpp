@@ -19,9 +19,9 @@ ProlongationSettings readProlongation(const Settings& settings)
 
 double readSmallestFluidFraction(const Settings& settings)
 {
-    const double smallest = settings.positive("min", 0.2);
+    const double smallest = settings.positive("min", 0.25);
     if (smallest >= 1)
-        settings.reject("min", "leaves no room for particles", "Use 0.2, below that of a dense packing");
+        settings.reject("min", "leaves no room for particles", "Use 0.25, just below that of the densest packing");
     return smallest;
 }
 

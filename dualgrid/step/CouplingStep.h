@@ -34,7 +34,7 @@ class CouplingStep
     ///   dualGrid          on (default) | off: each particle couples with the fine cell that holds its centre
     ///   kernel            trilinear
     ///   prolongation      { exponent 2; limiter cell (default) | none; }   see Prolongation.h
-    ///   voidFraction      { min 0.2; }  what would leave less fluid in a cell is clipped and listed in the ledger
+    ///   voidFraction      { min 0.25; }  what would leave less fluid in a cell is clipped and listed in the ledger
     ///   forces            { ... }  see ForceModel.h
     ///   momentumExchange  on (default) | off: the fluid does not feel drag and added mass (one-way)
     /// @param comm  the fluid ranks; rank r owns the blocks of owner r of the grid

@@ -28,10 +28,10 @@ Ledger DualGridScheme::advance(const ParticleView& particles, const FineFlow& fl
                                std::vector<Interaction>& replies, FineSource& source)
 {
     Ledger ledger;
-    restrictFluid(flow);           // fine -> coarse: averages of the fluid
-    project(particles, ledger);    // particles -> coarse: solid volume, impulse
-    interact(particles, replies);  // coarse -> particles: local flow, force laws
-    prolong(flow, deltaT, source); // coarse -> fine: αs, force on the fluid
+    restrictFluid(flow);                          // fine -> coarse: averages of the fluid
+    project(particles, ledger);                   // particles -> coarse: solid volume, impulse
+    interact(particles, deltaT, replies, ledger); // coarse -> particles: local flow, force laws
+    prolong(flow, deltaT, source);                // coarse -> fine: αs, force on the fluid
     ledger.addFine(flow, source.solidFraction, source.force, deltaT);
     ledger.sumOver(comm_);
     return ledger;
@@ -60,6 +60,7 @@ void DualGridScheme::project(const ParticleView& particles, Ledger& ledger)
     plan_.accumulate(solidVolume.data());
     fitSolid(ledger);
     plan_.update(solidFraction_.data());
+    plan_.update(solidVolume.data());
     plan_.accumulate(impulse.data());
     placeImpulse(ledger);
     plan_.update(impulse.data());
@@ -124,16 +125,36 @@ void DualGridScheme::placeImpulse(Ledger& ledger)
     }
 }
 
-void DualGridScheme::interact(const ParticleView& particles, std::vector<Interaction>& replies)
+void DualGridScheme::interact(const ParticleView& particles, double deltaT, std::vector<Interaction>& replies,
+                              Ledger& ledger)
 {
     const PhaseTimer::Scope scope(timer, PhaseTimer::forces);
     replies.assign(particles.count, Interaction{});
     forces_.withDrag([&](const auto& force) {
         for (std::size_t i = 0; i < particles.count; ++i) {
-            if (!dry_[i])
-                replies[i] = force(flowAt(stencils_[i]), stateOf(particles, i), water_, air_);
+            if (dry_[i])
+                continue;
+            replies[i] = force(flowAt(stencils_[i]), stateOf(particles, i), water_, air_);
+            if (!settings_.momentumExchange)
+                continue; // no answer of the fluid, no lag
+            const double largest = largestDrag(stencils_[i], volumeOf(particles, i), deltaT);
+            if (replies[i].dragCoefficient > largest) {
+                replies[i].dragCoefficient = largest;
+                ++ledger.limitedDrags;
+            }
         }
     });
+}
+
+double DualGridScheme::largestDrag(const Stencil& stencil, double volume, double deltaT) const
+{
+    double mass = 0, solid = 0; // per stencil, the weights cancel in the ratio
+    for (int n = 0; n < 8; ++n) {
+        const int c = stencil.cell[n];
+        mass += stencil.weight[n] * fluidMass_[c];
+        solid += stencil.weight[n] * solidVolume[c];
+    }
+    return 0.5 * mass * volume / (solid * deltaT);
 }
 
 LocalFlow DualGridScheme::flowAt(const Stencil& stencil) const

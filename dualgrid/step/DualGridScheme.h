@@ -1,4 +1,9 @@
 /// The coupling through the coarse grid: the algorithm that CouplingStep.h describes.
+///
+/// Limit of the lag: the fluid answers an impulse two exchanges after the velocity that caused it. For one fluid cell
+/// of mass m and Σ K = K_c that is u(k+2) = u(k+1) - (K_c Δt/m) u(k), stable for K_c Δt < m only. A particle's K is
+/// therefore held below half of its share of the fluid mass, ρ αf V_p/αs, per Δt. In ordinary flow K is far below;
+/// where it is not (a dense plate shot through, or a fluid step that is too long) the ledger counts the particles.
 #pragma once
 
 #include "CouplingScheme.h"
@@ -25,7 +30,8 @@ class DualGridScheme : public CouplingScheme
     void spreadParticles(const ParticleView& particles, Ledger& ledger);
     void fitSolid(Ledger& ledger);
     void placeImpulse(Ledger& ledger);
-    void interact(const ParticleView& particles, std::vector<Interaction>& replies);
+    void interact(const ParticleView& particles, double deltaT, std::vector<Interaction>& replies, Ledger& ledger);
+    double largestDrag(const Stencil& stencil, double volume, double deltaT) const;
     LocalFlow flowAt(const Stencil& stencil) const;
     void prolong(const FineFlow& flow, double deltaT, FineSource& source);
     void prolongSolid(const FineFlow& flow, FineSource& source);

@@ -32,6 +32,7 @@ struct Ledger {
 
     std::int64_t particles = 0;
     std::int64_t dryParticles = 0; ///< with no fluid in their whole stencil: they feel nothing
+    std::int64_t limitedDrags = 0; ///< particles whose drag coefficient was limited (DualGridScheme.h)
     std::int64_t clippedCells = 0; ///< coarse cells with clipped volume
 
     /// Adds what the fine mesh of this rank got: αs, and the force [N] over the coming step.

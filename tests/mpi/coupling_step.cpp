@@ -12,7 +12,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 const Phase water{1000, 1e-3}, air{1.2, 1.8e-5};
 const Vec3 gravity{0, 0, -9.81};
@@ -45,7 +46,8 @@ struct FineMesh {
         const int n[3] = {13, 9, 11};
         for (int f = 0; f < n[0] * n[1] * n[2]; ++f) {
             const int i[3] = {f % n[0], f / n[0] % n[1], f / n[0] / n[1]};
-            if ((i[0] + 2 * i[1] + i[2]) / 7 % ranks == rank) add(f, i, n, length);
+            if ((i[0] + 2 * i[1] + i[2]) / 7 % ranks == rank)
+                add(f, i, n, length);
         }
     }
     void add(int f, const int* i, const int* n, double length)
@@ -67,7 +69,7 @@ struct FineMesh {
     }
     FineFlow flow() const
     {
-        return {volume.size(),   volume.data(),   epsilon.data(), open.data(),         density.data(), wet.data(),
+        return {volume.size(),   volume.data(),   epsilon.data(), open.data(),         density.data(),  wet.data(),
                 velocity.data(), gradient.data(), viscous.data(), acceleration.data(), vorticity.data()};
     }
     std::vector<FinePiece> pieces(const CoarseGrid& grid) const
@@ -83,7 +85,8 @@ struct FineMesh {
     int cellAt(const Vec3& p) const
     {
         for (std::size_t f = 0; f < cell.size(); ++f) {
-            if (cell[f].contains(p)) return int(f);
+            if (cell[f].contains(p))
+                return int(f);
         }
         return -1;
     }
@@ -101,10 +104,14 @@ struct Spheres {
         std::uniform_real_distribution<double> u(0, 1);
         for (int n = 0; n < 400; ++n) {
             Vec3 p{6 * u(random), 5 * u(random), 5 * u(random)};
-            if (n % 9 == 0) p.x = 3; // where blocks meet
-            if (n % 10 == 0) p.y = 2;
-            if (n < 150) p = {1.2 + 0.5 * p.x / 6, 1.4 + 0.4 * p.y / 5, 1.3 + 0.2 * p.z / 5}; // a heap that is clipped
-            if (grid.ownerOf(p) != owner) continue;
+            if (n % 9 == 0)
+                p.x = 3; // where blocks meet
+            if (n % 10 == 0)
+                p.y = 2;
+            if (n < 150)
+                p = {1.2 + 0.5 * p.x / 6, 1.4 + 0.4 * p.y / 5, 1.3 + 0.2 * p.z / 5}; // a heap that is clipped
+            if (grid.ownerOf(p) != owner)
+                continue;
             id.push_back(n);
             position.push_back(p);
             velocity.push_back({0.1 * n, 1, -1});
@@ -136,7 +143,7 @@ struct Coupling {
         : comm(comm), grid(box, 1, sizeOf(comm), gravity), step(settings, grid, water, air, comm)
     {
     }
-    void advance(double length, int number)
+    void advance(double length, int number, double deltaT = ::deltaT)
     {
         mesh = std::make_unique<FineMesh>(rankOf(comm), sizeOf(comm), length);
         step.setParts(mesh->pieces(grid));
@@ -149,7 +156,8 @@ struct Coupling {
 
 void expectSame(const Vec3& a, const Vec3& b, double scale)
 {
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-13 * scale);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(a[i], b[i], 1e-13 * scale);
 }
 
 /// The serial run holds all spheres in order of id, and all fine cells.
@@ -166,7 +174,8 @@ void expectSameAsSerial(const Coupling& run, const Coupling& serial)
         expectSame(a.fluidSpin, b.fluidSpin, 1);
     }
     double largest = 0;
-    for (const Vec3& force : serial.source.force) largest = std::max(largest, norm(force));
+    for (const Vec3& force : serial.source.force)
+        largest = std::max(largest, norm(force));
     for (std::size_t f = 0; f < run.mesh->whole.size(); ++f) {
         const int whole = run.mesh->whole[f];
         EXPECT_NEAR(run.source.solidFraction[f], serial.source.solidFraction[whole], 1e-13);
@@ -175,6 +184,7 @@ void expectSameAsSerial(const Coupling& run, const Coupling& serial)
     EXPECT_EQ(run.ledger.particles, 400);
     EXPECT_EQ(run.ledger.dryParticles, serial.ledger.dryParticles);
     EXPECT_EQ(run.ledger.clippedCells, serial.ledger.clippedCells);
+    EXPECT_EQ(run.ledger.limitedDrags, serial.ledger.limitedDrags);
     EXPECT_NEAR(run.ledger.clippedVolume, serial.ledger.clippedVolume, 1e-13 * serial.ledger.particleVolume);
     expectSame(run.ledger.unplaced, serial.ledger.unplaced, serial.ledger.impulseScale);
 }
@@ -204,7 +214,9 @@ void compareThreeSteps(const Settings& settings)
         EXPECT_GT(run.ledger.clippedVolume, 0) << "the heap does not fit";
         EXPECT_EQ(run.ledger.dryParticles > 0, step < 2 || !run.step.dualGrid());
     }
-    if (run.step.dualGrid()) { EXPECT_EQ(norm(carried), 0) << "all impulse has found its fluid"; }
+    if (run.step.dualGrid()) {
+        EXPECT_EQ(norm(carried), 0) << "all impulse has found its fluid";
+    }
 }
 
 /// On the other ranks: only what fails.
@@ -212,7 +224,8 @@ class FailurePrinter : public ::testing::EmptyTestEventListener
 {
     void OnTestPartResult(const ::testing::TestPartResult& result) override
     {
-        if (result.failed()) printf("rank %d: %s\n", rankOf(MPI_COMM_WORLD), result.summary());
+        if (result.failed())
+            printf("rank %d: %s\n", rankOf(MPI_COMM_WORLD), result.summary());
     }
 };
 
@@ -245,12 +258,33 @@ TEST(CouplingStep, StillWaterGivesBuoyancyAlone)
     const Spheres spheres(run.grid, rankOf(MPI_COMM_WORLD), 0);
     const double displaced = 4.0 / 3 * 3.14159265358979323846 * 9.81;
     for (std::size_t n = 0; n < spheres.id.size(); ++n) {
-        if (spheres.position[n].z > 0.5) continue; // well below the surface: only water in the stencil
+        if (spheres.position[n].z > 0.5)
+            continue; // well below the surface: only water in the stencil
         const double r = spheres.radius[n], viscousX = run.replies[n].passiveForce.x;
         const double buoyancy = displaced * water.density * r * r * r;
         EXPECT_NEAR(run.replies[n].passiveForce.z - displaced / 9.81 * r * r * r, buoyancy, 1e-13 * buoyancy);
         EXPECT_GT(viscousX, 0);
     }
+}
+
+TEST(CouplingStep, DragIsLimitedOnlyInLongSteps)
+{
+    const Settings settings("constant/couplingProperties", "");
+    Coupling run(MPI_COMM_SELF, settings);
+    run.advance(6, 0, 1e-6);
+    EXPECT_EQ(run.ledger.limitedDrags, 0);
+    double inShortStep = 0, inLongStep = 0, fluidMass = 0;
+    for (const Interaction& reply : run.replies)
+        inShortStep += reply.dragCoefficient;
+    const double tenSeconds = 10;
+    run.advance(6, 0, tenSeconds);
+    for (const Interaction& reply : run.replies)
+        inLongStep += reply.dragCoefficient;
+    for (int c = 0; c < run.step.cells().ownedCount(); ++c)
+        fluidMass += run.step.fluid()[c].fluidMass;
+    EXPECT_GT(run.ledger.limitedDrags, 0);
+    EXPECT_LT(inLongStep, inShortStep);
+    EXPECT_LT(inLongStep * tenSeconds, 0.5 * fluidMass);
 }
 
 TEST(CouplingStep, OneWayGivesTheFluidNothing)
@@ -259,7 +293,8 @@ TEST(CouplingStep, OneWayGivesTheFluidNothing)
     settings.set("momentumExchange", "off");
     Coupling run(MPI_COMM_WORLD, settings);
     run.advance(6, 0);
-    for (const Vec3& force : run.source.force) EXPECT_EQ(norm(force), 0);
+    for (const Vec3& force : run.source.force)
+        EXPECT_EQ(norm(force), 0);
     EXPECT_EQ(norm(run.ledger.given), 0);
 }
 
@@ -275,9 +310,10 @@ TEST(CouplingStep, NamesTheParticleThatIsNotHere)
         run.step.advance(one, FineFlow{}, deltaT, run.replies, run.source);
         FAIL();
     } catch (const std::exception& error) {
-        EXPECT_STREQ(error.what(),
-                     "constant/couplingProperties: coarseGrid: particle 17 at (7 1 1) is outside of this rank's share of "
-                     "the box (0 0 0) - (6 5 5). Move min and max outwards until the particles' reach lies inside.");
+        EXPECT_STREQ(
+            error.what(),
+            "constant/couplingProperties: coarseGrid: particle 17 at (7 1 1) is outside of this rank's share of "
+            "the box (0 0 0) - (6 5 5). Move min and max outwards until the particles' reach lies inside.");
     }
 }
 
