@@ -1,6 +1,7 @@
 #include "fix_bond_parallel.h"
 
 #include "atom.h"
+#include "bond_kernel.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -22,36 +23,6 @@ namespace
 
 const char* const keywords = "young, stiffness_ratio, tensile_strength, shear_strength, radius_factor, moment_factor, "
                              "friction_angle, damping, create_gap, weibull, events";
-constexpr int blockSize = 64;
-
-/// What one block of bonds reads and writes, contiguous so that the law's loop can be vectorised.
-struct Block {
-    Vec3 separation[blockSize], turn1[blockSize], turn2[blockSize];
-    Vec3 force[blockSize], torque1[blockSize], torque2[blockSize];
-    double power[blockSize];
-    BondUse use[blockSize];
-};
-
-inline Vec3 vectorAt(const std::array<std::vector<double>, BondTable::stateColumns>& state, int column, std::size_t k)
-{
-    return {state[column][k], state[column + 1][k], state[column + 2][k]};
-}
-
-inline void setVector(std::array<std::vector<double>, BondTable::stateColumns>& state, int column, std::size_t k,
-                      const Vec3& v)
-{
-    state[column][k] = v.x;
-    state[column + 1][k] = v.y;
-    state[column + 2][k] = v.z;
-}
-
-inline void addTo(double* sum, const Vec3& v)
-{
-    sum[0] += v.x;
-    sum[1] += v.y;
-    sum[2] += v.z;
-}
-
 inline Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
 
 } // namespace
@@ -246,8 +217,7 @@ void FixBondParallel::evaluate(int vflag)
     turns_.resize(all);
     for (int i = 0; i < all; ++i) turns_[i] = cayleyVector(vec(atom->omega[i]), dt);
 
-    if (material_.damping > 0) evaluateAll<true>(dt);
-    else evaluateAll<false>(dt);
+    for (std::size_t begin = 0; begin < table_.size(); begin += BondBlock::capacity) evaluateBlock(begin, dt);
 
     std::sort(broken_.begin(), broken_.end());
     for (; !broken_.empty(); broken_.pop_back()) table_.remove(broken_.back());
@@ -255,79 +225,76 @@ void FixBondParallel::evaluate(int vflag)
     if (vflag) tallyVirial(vflag);
 }
 
-template <bool Damped> void FixBondParallel::evaluateAll(double dt)
+void FixBondParallel::evaluateBlock(std::size_t begin, double dt)
 {
-    for (std::size_t begin = 0; begin < table_.size(); begin += blockSize)
-        evaluateBlock<Damped>(begin, static_cast<int>(std::min<std::size_t>(blockSize, table_.size() - begin)), dt);
+    BondBlock block(table_, begin, static_cast<int>(std::min<std::size_t>(BondBlock::capacity, table_.size() - begin)));
+    gather(block, begin);
+    advanceBlock(block, material_, dt > 0 ? 1 / dt : 0);
+    if (dt == 0 && material_.damping > 0) dampAtRest(block, begin);
+    scatter(block, begin, dt);
 }
 
-template <bool Damped> void FixBondParallel::evaluateBlock(std::size_t begin, int count, double dt)
+void FixBondParallel::gather(BondBlock& block, std::size_t begin)
 {
-    Block block;
     double** x = atom->x;
-    for (int b = 0; b < count; ++b) {
-        const int i = table_.at1[begin + b], j = table_.at2[begin + b];
-        block.separation[b] = vec(x[j]) - vec(x[i]);
-        block.turn1[b] = turns_[i];
-        block.turn2[b] = turns_[j];
+    const int *at1 = &table_.at1[begin], *at2 = &table_.at2[begin];
+    for (int b = 0; b < block.count; ++b) {
+        const double *x1 = x[at1[b]], *x2 = x[at2[b]];
+        const Vec3 &turn1 = turns_[at1[b]], &turn2 = turns_[at2[b]];
+        for (int axis = 0; axis < 3; ++axis) {
+            block.separation[axis][b] = x2[axis] - x1[axis];
+            block.turn1[axis][b] = turn1[axis];
+            block.turn2[axis][b] = turn2[axis];
+        }
     }
+}
 
-    for (int b = 0; b < count; ++b) {
+/// In setup there is no step behind the dashpots: their rates come from the velocities, as over a step that ends here.
+void FixBondParallel::dampAtRest(BondBlock& block, std::size_t begin)
+{
+    const double dt = update->dt;
+    for (int b = 0; b < block.count; ++b) {
         const std::size_t k = begin + b;
-        BondState state{vectorAt(table_.state, BondTable::separation, k), vectorAt(table_.state, BondTable::shear, k),
-                        vectorAt(table_.state, BondTable::bending, k), table_.state[BondTable::torsion][k]};
+        const int i = table_.at1[k], j = table_.at2[k];
         const BondShape shape = table_.shapeOf(k);
         const BondStiffness stiffness = stiffnessOf(material_, shape.restLength, shape.radius);
-        const BondState before = state;
-        BondIncrement motion =
-            advance(state, stiffness, shape.share, block.separation[b], block.turn1[b], block.turn2[b]);
-        BondLoad load = elasticLoad(state, stiffness, shape.restLength);
-        if (Damped) {
-            double rate = 1 / dt;
-            if (dt == 0) { // setup: the rates come from the velocities, as over a step that ends here
-                const int i = table_.at1[k], j = table_.at2[k];
-                BondState copy = before;
-                copy.separation = block.separation[b] - update->dt * (vec(atom->v[j]) - vec(atom->v[i]));
-                motion = advance(copy, stiffness, shape.share, block.separation[b],
-                                 cayleyVector(vec(atom->omega[i]), update->dt),
-                                 cayleyVector(vec(atom->omega[j]), update->dt));
-                rate = 1 / update->dt;
-            }
-            const BondDashpots dashpots =
-                dashpotsOf(stiffness, material_.damping, table_.reducedMass[k], table_.reducedInertia[k]);
-            const Vec3 n = state.separation * (1 / norm(state.separation));
-            const BondLoad viscous = viscousLoad(motion, dashpots, n, rate);
-            load.force += viscous.force;
-            load.moment += viscous.moment;
-            block.power[b] = viscousPower(motion, dashpots, rate);
+        BondState before = table_.stateOf(k);
+        const Vec3 d = before.separation;
+        before.separation -= dt * (vec(atom->v[j]) - vec(atom->v[i]));
+        const BondIncrement motion = advance(before, stiffness, shape.share, d, cayleyVector(vec(atom->omega[i]), dt),
+                                             cayleyVector(vec(atom->omega[j]), dt));
+        const BondLoad load = viscousLoad(motion, dashpotsOf(stiffness, material_.damping, table_.reducedMass[k],
+                                                             table_.reducedInertia[k]), d / norm(d), 1 / dt);
+        const Vec3 lever = cross(d, load.force);
+        for (int axis = 0; axis < 3; ++axis) {
+            block.force[axis][b] += load.force[axis];
+            block.torque1[axis][b] += shape.share * lever[axis] + load.moment[axis];
+            block.torque2[axis][b] += (1 - shape.share) * lever[axis] - load.moment[axis];
         }
-        block.use[b] = useOf(state, stiffness, shape, material_);
-        const Vec3 lever = cross(state.separation, load.force);
-        block.force[b] = load.force;
-        block.torque1[b] = shape.share * lever + load.moment;
-        block.torque2[b] = (1 - shape.share) * lever - load.moment;
-        setVector(table_.state, BondTable::separation, k, state.separation);
-        setVector(table_.state, BondTable::shear, k, state.shear);
-        setVector(table_.state, BondTable::bending, k, state.bending);
-        table_.state[BondTable::torsion][k] = state.torsion;
     }
+}
 
-    double** f = atom->f;
-    double** torque = atom->torque;
-    for (int b = 0; b < count; ++b) {
-        const std::size_t k = begin + b;
-        if (block.use[b].tension > 1 || block.use[b].shear > 1) {
-            breakBond(k, block.use[b]);
+void FixBondParallel::scatter(const BondBlock& block, std::size_t begin, double dt)
+{
+    double **f = atom->f, **torque = atom->torque;
+    const int *target1 = &table_.target1[begin], *target2 = &table_.target2[begin];
+    for (int b = 0; b < block.count; ++b) {
+        if (block.useTension[b] > 1 || block.useShear[b] > 1) {
+            breakBond(begin + b, {block.useTension[b], block.useShear[b]});
             continue;
         }
         // What is added to a ghost is never read: its owner has its own copy of the bond.
-        const int i = table_.target1[k], j = table_.target2[k];
-        addTo(f[i], block.force[b]);
-        addTo(f[j], -block.force[b]);
-        addTo(torque[i], block.torque1[b]);
-        addTo(torque[j], block.torque2[b]);
-        if (Damped) damped_ += dt * block.power[b] * 0.5 * ((i < atom->nlocal) + (j < atom->nlocal));
+        const int i = target1[b], j = target2[b];
+        for (int axis = 0; axis < 3; ++axis) {
+            f[i][axis] += block.force[axis][b];
+            f[j][axis] -= block.force[axis][b];
+            torque[i][axis] += block.torque1[axis][b];
+            torque[j][axis] += block.torque2[axis][b];
+        }
     }
+    if (material_.damping == 0) return;
+    for (int b = 0; b < block.count; ++b)
+        damped_ += dt * block.power[b] * 0.5 * ((target1[b] < atom->nlocal) + (target2[b] < atom->nlocal));
 }
 
 /// Simulated time [s], also after a restart.

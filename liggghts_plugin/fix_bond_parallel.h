@@ -17,6 +17,11 @@
 #include <string>
 #include <vector>
 
+namespace frazil
+{
+struct BondBlock;
+}
+
 namespace LAMMPS_NS
 {
 
@@ -77,8 +82,10 @@ private:
     void require(bool, const std::string&, const std::string&, const std::string&, const std::string&);
     double number(const char*, const char*);
     void evaluate(int);
-    template <bool Damped> void evaluateAll(double);
-    template <bool Damped> void evaluateBlock(std::size_t, int, double);
+    void evaluateBlock(std::size_t, double);
+    void gather(frazil::BondBlock&, std::size_t);
+    void dampAtRest(frazil::BondBlock&, std::size_t);
+    void scatter(const frazil::BondBlock&, std::size_t, double);
     double time() const;
     void breakBond(std::size_t, const frazil::BondUse&);
 

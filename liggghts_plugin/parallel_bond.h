@@ -113,7 +113,7 @@ struct BondTurn {
     double cosine, sine;
 
     BondTurn(const Vec3& n0, const Vec3& n1, const Vec3& meanTurn)
-        : sum(n0 + n1), n1(n1), inverse(1 / (1 + dot(n0, n1)))
+        : sum(n0 + n1), n1{n1.x, n1.y, n1.z}, inverse(1 / (1 + dot(n0, n1)))
     {
         const double tangent = 0.25 * dot(meanTurn, sum); // of half the spin angle
         const double scale = 1 / (1 + tangent * tangent);
@@ -214,7 +214,7 @@ inline BondUse useOf(const BondState& state, const BondStiffness& k, const BondS
 {
     const BondStress stress = stressOf(state, k, shape, material.momentFactor);
     const double axial = axialStress(state, k, shape.restLength);
-    const double compression = axial < 0 ? -axial : 0;
+    const double compression = 0.5 * (std::fabs(axial) - axial); // without a branch
     return {stress.sigma / (shape.strength * material.tensileStrength),
             stress.tau / (shape.strength * material.shearStrength + material.frictionTan * compression)};
 }

@@ -102,8 +102,8 @@ solvers
         MULESCorr yes; nLimiterIter 5;
         solver smoothSolver; smoother symGaussSeidel; tolerance 1e-13; relTol 0;
     }
-    "pcorr.*" { solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0; maxIter 500; }
-    "p_rgh.*" { solver PCG; preconditioner DIC; tolerance 1e-9; relTol 0; maxIter 500; }
+    "pcorr.*" { solver PCG; preconditioner DIC; tolerance 1e-7; relTol 0.001; maxIter 500; }
+    "p_rgh.*" { solver PCG; preconditioner DIC; tolerance 1e-7; relTol 0.001; maxIter 500; }
     "U.*" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-9; relTol 0; }
 }
 PIMPLE { momentumPredictor yes; nOuterCorrectors 1; nCorrectors 3; nNonOrthogonalCorrectors 0; }
