@@ -13,7 +13,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 using Ends = std::array<std::int64_t, 2>;
 const std::string path = "snapshot_test.h5";
@@ -28,20 +29,23 @@ void writeChain(SnapshotFile& file, std::int64_t step, double time, int lost = 0
     std::vector<Ends> bonds;
     std::vector<double> tension;
     for (int id = 1; id <= chain; ++id) {
-        if (id * 7 % ranks != rank) continue;
+        if (id * 7 % ranks != rank)
+            continue;
         if (id != lost) {
             ids.push_back(id);
             position.push_back({double(id), 0, time});
             velocity.push_back({0, 10.0 * id, 0});
         }
-        if (id == chain) continue;
+        if (id == chain)
+            continue;
         bonds.push_back({id, id + 1});
         tension.push_back(100.0 * id);
     }
     const CoarseGrid grid(Box{{0, 0, 0}, {5, 4, 3}}, 1, ranks, {0, 0, -9.81});
     const LocalCells cells(grid, rank);
     std::vector<double> number;
-    for (int c = 0; c < cells.ownedCount(); ++c) number.push_back(double(cells.global(c)) + time);
+    for (int c = 0; c < cells.ownedCount(); ++c)
+        number.push_back(double(cells.global(c)) + time);
 
     file.begin(step, time);
     file.particles("particles", ids, position.data(), {{"velocity", 3, &velocity.data()->x}});
@@ -80,13 +84,15 @@ void checkChain(const std::string& step, double time, std::size_t particles, std
     }
     const auto number = read<double>("/coarse/" + step + "/number", H5T_NATIVE_DOUBLE);
     ASSERT_EQ(number.size(), 60u);
-    for (std::size_t c = 0; c < number.size(); ++c) EXPECT_EQ(number[c], double(c) + time);
+    for (std::size_t c = 0; c < number.size(); ++c)
+        EXPECT_EQ(number[c], double(c) + time);
 }
 
 int countIn(const std::string& text, const std::string& word)
 {
     int count = 0;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        ++count;
     return count;
 }
 
