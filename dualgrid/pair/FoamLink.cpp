@@ -95,6 +95,7 @@ void FoamLink::finish(double time)
         StepOrder order;
         order.time = time;
         order.finish = 1;
+        order.waited = waited();
         swap(order);
     }
     waitForAll("take the forces on its particles", requests_);

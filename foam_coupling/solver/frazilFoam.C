@@ -30,7 +30,6 @@ Description
 #include "program.H"
 
 int main(int argc, char *argv[])
-try
 {
     joinPair(argc, argv);
 
@@ -139,8 +138,4 @@ try
     Info<< "End\n" << endl;
 
     return 0;
-}
-catch (const std::exception& error)
-{
-    return Foam::failed(error);
 }
