@@ -170,6 +170,7 @@ void openVolume::use
     blending_ = cellField("blending", mesh_, dimensionedVector(dimForce/dimVolume, Zero));
     faces_.reset(new surfaceScalarField("openFaces", fvc::interpolate(one*end_())));
     merged_.reset(new surfaceScalarField("mergedFaces", 0*faces_()));
+    cuttingFlux_.reset(new surfaceScalarField("cuttingFlux", 0*phi));
     wholeFlux_.reset(new surfaceScalarField("phiWhole", phi));
 
     // Named as rho, so that the schemes of rho apply to it, but known to nobody
@@ -194,10 +195,13 @@ void openVolume::use
 
 void openVolume::update()
 {
-    start_() == end_();
+    // The old values, not end_ of the step before: at the very start particles and bodies have always been there, and
+    // their volume must not be pushed out of the first step
+    start_() == fluidFraction_->oldTime();
     end_() == *fluidFraction_;
     if (bodies_)
     {
+        start_() == start_()*(1.0 - bodies_->gamma().oldTime());
         end_() == end_()*(1.0 - bodies_->gamma());
     }
     wholeStep();
@@ -205,22 +209,14 @@ void openVolume::update()
 }
 
 
-void openVolume::correctFlux
+tmp<surfaceScalarField> openVolume::potentialFlux
 (
-    surfaceScalarField& phi,
+    const surfaceScalarField* phi,
+    const scalarField& demand,
     const volScalarField& p_rgh,
     pimpleControl& pimple
 ) const
 {
-    const dimensionedScalar deltaT(mesh_.time().deltaT());
-    const surfaceScalarField unit
-    (
-        IOobject("unit", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("unit", dimTime/dimDensity, 1.0)
-    );
-    const tmp<surfaceScalarField> conductance(faceCoefficient(unit));
-
     wordList types(p_rgh.boundaryField().size(), zeroGradientFvPatchScalarField::typeName);
     forAll(types, patchi)
     {
@@ -238,21 +234,65 @@ void openVolume::correctFlux
     );
     mesh_.setFluxRequired(pcorr.name());
 
-    // What passed through faces that are closed now stays behind
-    phi *= pos(faces_() + merged_());
+    const surfaceScalarField unit
+    (
+        IOobject("unit", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar("unit", dimTime/dimDensity, 1.0)
+    );
+    const tmp<surfaceScalarField> conductance(faceCoefficient(unit));
+    tmp<surfaceScalarField> tflux(new surfaceScalarField("potentialFlux", 0*wholeFlux_()));
 
     while (pimple.correctNonOrthogonal())
     {
-        fvScalarMatrix pcorrEqn(fvm::laplacian(conductance(), pcorr) == fvc::div(phi));
-        addSweptVolume(pcorrEqn, pcorr, unit);
+        fvScalarMatrix pcorrEqn(fvm::laplacian(conductance(), pcorr));
+        if (phi)
+        {
+            pcorrEqn -= fvc::div(*phi);
+        }
+        pcorrEqn.source() -= demand;
+        anchorPressure(pcorrEqn, pcorr, unit);
         pcorrEqn.setReference(0, 0);
         pcorrEqn.solve(mesh_.solver(pcorr.select(pimple.finalNonOrthogonalIter())));
 
         if (pimple.finalNonOrthogonalIter())
         {
-            phi -= pcorrEqn.flux();
+            tflux.ref() = -pcorrEqn.flux();
         }
     }
+    return tflux;
+}
+
+
+void openVolume::correctFlux
+(
+    surfaceScalarField& phi,
+    const volScalarField& p_rgh,
+    pimpleControl& pimple
+)
+{
+    // What passed through faces that are closed now stays behind
+    phi *= pos(faces_() + merged_());
+    phi += potentialFlux(&phi, sweptVolume(), p_rgh, pimple);
+
+    if (bodies_)
+    {
+        const surfaceScalarField rigid((1.0 - bodies_->theta())*(fvc::interpolate(bodies_->Ub()) & mesh_.Sf()));
+        const scalarField covered(mesh_.V()*fvc::div(rigid)().primitiveField());
+        cuttingFlux_() = potentialFlux
+        (
+            nullptr,
+            (1.0 - solid_().primitiveField())*(sweptVolume() + covered),
+            p_rgh,
+            pimple
+        );
+    }
+}
+
+
+scalarField openVolume::sweptVolume() const
+{
+    return mesh_.V()*(start_().primitiveField() - end_().primitiveField())/mesh_.time().deltaTValue();
 }
 
 
@@ -369,7 +409,7 @@ void openVolume::closeFaces(surfaceScalarField& phiHbyA, const surfaceScalarFiel
 {
     if (active())
     {
-        phiHbyA = faces_()*phiHbyA + merged_()*phig;
+        phiHbyA = faces_()*phiHbyA + merged_()*phig + cuttingFlux_();
     }
 }
 
@@ -392,19 +432,15 @@ void openVolume::addForces(fvVectorMatrix& UEqn, const volScalarField& rho, cons
 }
 
 
-void openVolume::addSweptVolume
+void openVolume::anchorPressure
 (
     fvScalarMatrix& pEqn,
     const volScalarField& p_rgh,
     const surfaceScalarField& rAUf
 ) const
 {
-    const scalarField& V = mesh_.V();
-    pEqn.source() += V*(end_().primitiveField() - start_().primitiveField())/mesh_.time().deltaTValue();
-
     if (bodies_)
     {
-        // A cell without an open face keeps its value
         const scalarField anchored
         (
             solid_().primitiveField()
@@ -413,6 +449,18 @@ void openVolume::addSweptVolume
         pEqn.diag() -= anchored;
         pEqn.source() -= anchored*p_rgh.primitiveField();
     }
+}
+
+
+void openVolume::addSweptVolume
+(
+    fvScalarMatrix& pEqn,
+    const volScalarField& p_rgh,
+    const surfaceScalarField& rAUf
+) const
+{
+    pEqn.source() -= sweptVolume();
+    anchorPressure(pEqn, p_rgh, rAUf);
 }
 
 
