@@ -192,8 +192,11 @@ void run
             }
         }
     }
+    const scalarField& gamma = bodies.gamma().primitiveField();
+    const scalar nCut = gSum(scalarField(pos(gamma)*pos(1 - gamma)));
     Info<< "CPU time per step " << 1000*spent/max(steps, label(1)) << " ms, near cells "
-        << returnReduce(bodies.size() ? bodies.cutOf(0).cells.size() : 0, sumOp<label>()) << endl;
+        << returnReduce(bodies.size() ? bodies.cutOf(0).cells.size() : 0, sumOp<label>())
+        << ", cut cells " << nCut << endl;
 }
 
 
