@@ -1,0 +1,224 @@
+#include "immersedBody.H"
+#include "ListOps.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
+#include "ops.H"
+#include "scalarList.H"
+#include "quaternion.H"
+
+#include <fmt/format.h>
+
+#include "InputError.h"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+constexpr double latticePerCell = 3;
+constexpr double marginInCells = 4;
+constexpr double mostNodes = 8e6;
+
+//- Volumes of the same STL read by two programs agree to round-off; ascii
+//  files keep at least six digits
+constexpr double volumeTolerance = 1e-6;
+
+
+Foam::tensor rotationBy(const Foam::vector& angle)
+{
+    using namespace Foam;
+
+    const scalar size = mag(angle);
+    return
+        size > VSMALL
+      ? quaternion(angle/size, size).R()
+      : tensor(tensor::I);
+}
+
+
+//- A third of a cell, unless the lattice would have too many nodes
+double defaultSpacing(const frazil::Box& bounds, double finestCell)
+{
+    const double margin = 2*marginInCells*finestCell;
+    const frazil::Vec3 size = bounds.size() + frazil::Vec3{margin, margin, margin};
+    return std::max
+    (
+        finestCell/latticePerCell,
+        std::cbrt(size.x*size.y*size.z/mostNodes)
+    );
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Body's pose * * * * * * * * * * * * * * * //
+
+Foam::bodyPose::bodyPose(const frazil::BodyState& state)
+:
+    centre(toVector(state.centre)),
+    rotation
+    (
+        normalize
+        (
+            quaternion
+            (
+                state.orientation[0],
+                vector
+                (
+                    state.orientation[1],
+                    state.orientation[2],
+                    state.orientation[3]
+                )
+            )
+        ).R()
+    ),
+    velocity(toVector(state.velocity)),
+    omega(toVector(state.angularVelocity))
+{}
+
+
+Foam::bodyPose Foam::bodyPose::after(const scalar deltaT) const
+{
+    bodyPose later(*this);
+    later.centre += deltaT*velocity;
+    later.rotation = rotationBy(deltaT*omega) & rotation;
+    return later;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::immersedBody::computeLattice
+(
+    const std::vector<frazil::Triangle>& triangles,
+    const scalar spacing,
+    const scalar finestCell
+)
+{
+    lattice_.reset
+    (
+        new frazil::signedDistanceLattice
+        (
+            frazil::boundsOf(triangles), spacing, marginInCells*finestCell
+        )
+    );
+    lattice_->compute
+    (
+        frazil::joinCorners(triangles), Pstream::myProcNo(), Pstream::nProcs()
+    );
+
+    // Every rank has computed its planes and left zero elsewhere
+    if (Pstream::parRun())
+    {
+        std::vector<double>& values = lattice_->values();
+        scalarList all(label(values.size()));
+        std::copy(values.begin(), values.end(), all.begin());
+        Pstream::listCombineGather(all, plusEqOp<scalar>());
+        Pstream::listCombineScatter(all);
+        std::copy(all.begin(), all.end(), values.begin());
+    }
+
+    const int* n = lattice_->nodes();
+    Info<< "Body " << name_ << ": " << label(triangles.size())
+        << " triangles, volume " << mass_.volume << " m3, distance lattice "
+        << n[0] << " x " << n[1] << " x " << n[2] << ", spacing " << spacing
+        << " m" << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::immersedBody::immersedBody
+(
+    const word& name,
+    const frazil::Settings& settings,
+    const std::string& casePath,
+    const scalar finestCell
+)
+:
+    name_(name),
+    file_(settings.text("surface")),
+    slip_(settings.flag("slip", true)),
+    reach_(0),
+    pose_(frazil::BodyState())
+{
+    const std::string path = file_[0] == '/' ? file_ : casePath + "/" + file_;
+    const auto triangles = frazil::readClosedStl(path, "bodies." + name);
+    mass_ = frazil::massProperties(triangles, 1);
+    for (const frazil::Triangle& t : triangles)
+    {
+        for (const frazil::Vec3& p : t)
+        {
+            reach_ = max(reach_, norm(p - mass_.centre));
+        }
+    }
+
+    const double spacing = settings.positive
+    (
+        "lattice", defaultSpacing(frazil::boundsOf(triangles), finestCell)
+    );
+    settings.finish();
+    computeLattice(triangles, spacing, finestCell);
+    place(asLoaded());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+frazil::BodyState Foam::immersedBody::asLoaded() const
+{
+    frazil::BodyState state;
+    name_.copy(state.name, sizeof(state.name) - 1);
+    state.centre = mass_.centre;
+    state.volume = mass_.volume;
+    return state;
+}
+
+
+void Foam::immersedBody::check(const frazil::BodyState& state) const
+{
+    if (mag(state.volume - mass_.volume) > volumeTolerance*mass_.volume)
+    {
+        throw frazil::InputError
+        (
+            "constant/couplingProperties",
+            "bodies." + name_ + ".surface",
+            file_,
+            fmt::format
+            (
+                "its volume is {:.9g} m3, but body '{}' of frazilDem has "
+                "{:.9g} m3",
+                mass_.volume, state.name, state.volume
+            ),
+            "Give both programs the same surface, in the same unit of length."
+        );
+    }
+}
+
+
+void Foam::immersedBody::place(const frazil::BodyState& state)
+{
+    centre_ = mass_.centre - state.centroidOffset;
+    pose_ = bodyPose(state);
+}
+
+
+Foam::boundBox Foam::immersedBody::bounds() const
+{
+    const frazil::Box box = lattice_->box();
+    boundBox world(boundBox::invertedBox);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+        const frazil::Vec3 p
+        {
+            corner & 1 ? box.max.x : box.min.x,
+            corner & 2 ? box.max.y : box.min.y,
+            corner & 4 ? box.max.z : box.min.z
+        };
+        world.add(pose_.centre + (pose_.rotation & toVector(p - centre_)));
+    }
+    return world;
+}
+
+
+// ************************************************************************* //
