@@ -95,7 +95,7 @@ private:
     void load();
     std::size_t addBond(int, int, int, int);
     void completeShape(std::size_t);
-    void dropMissing(const std::vector<int>&);
+    void dropMissing(const std::vector<int>&, bool);
     void countLost();
     void countBonds();
     int largestCount() const;
@@ -109,6 +109,8 @@ private:
     bool writeEvents(std::vector<Event>&);
     void checkTimeStep();
     double largestFrequency();
+    double inertia(int, int) const;
+    double massProduct(const std::vector<double>&, const std::vector<double>&);
     void stiffnessTimes(std::vector<double>&);
 
     frazil::BondMaterial material_;

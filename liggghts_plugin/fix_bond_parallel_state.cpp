@@ -147,11 +147,10 @@ void FixBondParallel::load()
     store();
     table_.clear();
     std::vector<int> missing;
+    bool renumbered = false;
     for (int i = 0; i < atom->nlocal; ++i) {
         const BondStore::Owner owner = store_.owners[i];
-        if (owner.count && owner.self != atom->tag[i])
-            error->one(FLERR, "Fix bond/parallel: particle ids changed while bonds refer to them; cure: delete_atoms "
-                              "... compress no");
+        renumbered |= owner.count && owner.self != atom->tag[i];
         store_.owners[i].self = atom->tag[i];
         for (int h = owner.first; h < owner.first + owner.count; ++h) {
             const BondHalf& half = store_.pool[h];
@@ -173,15 +172,18 @@ void FixBondParallel::load()
     tableNewer_ = true;
     owned_ = atom->nlocal;
     countBonds();
-    dropMissing(missing);
+    dropMissing(missing, renumbered);
     flushEvents();
 }
 
 /// Partners that are nowhere took their bonds with them; one that exists beyond the ghosts is an error.
-void FixBondParallel::dropMissing(const std::vector<int>& missing)
+void FixBondParallel::dropMissing(const std::vector<int>& missing, bool renumbered)
 {
-    int here = static_cast<int>(missing.size()), all = 0;
-    MPI_Allreduce(&here, &all, 1, MPI_INT, MPI_SUM, world);
+    int here = static_cast<int>(missing.size()), found[2] = {here, renumbered}, sums[2];
+    MPI_Allreduce(found, sums, 2, MPI_INT, MPI_SUM, world);
+    const int all = sums[0];
+    if (sums[1])
+        error->fix_error(FLERR, this, "particle ids changed while bonds refer to them; cure: delete_atoms ... compress no");
     if (all > 0) {
         std::vector<int> counts(comm->nprocs), starts(comm->nprocs), ids(all);
         MPI_Allgather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, world);

@@ -118,9 +118,44 @@ def energy(check):
     check.true("energy over 1e5 steps", drift <= 1e-4 and share > 0.1, f"drift {drift:.2e} <= 1e-4, up to {share:.2f} of it elastic")
 
 
+def damping(check):
+    """Axial vibration at 5 % of critical: logarithmic decrement; what is lost is what the fix says was dissipated."""
+    dt, fraction = 1e-8, 0.05
+    script = head() + MODEL + spheres([[0, 0, 0], [S, 0, 0]]) + f"timestep {dt}\n" + bond(more=f"damping {fraction}")
+    for i, sign in ((1, 1), (2, -1)):
+        script += f"group g{i} id {i}\nvelocity g{i} set {sign * 1e-3} 0 0 units box\n"
+    script += "variable v equal vx[1]\nvariable total equal ke+f_bonds[5]+f_bonds[6]\nfix nve all nve/sphere\n"
+    script += "thermo_style custom step v_v v_total f_bonds[6] ke\nthermo 1\n"
+    rows = check.run(script + "thermo_modify norm no format float %.15g\nrun 6000\n").thermo()
+    peaks = [b[1] for a, b, c in zip(rows, rows[1:], rows[2:]) if b[1] > a[1] and b[1] > c[1]]
+    decrement = math.log(peaks[0] / peaks[3]) / 3
+    check.near("damping, fraction of critical", decrement / math.hypot(2 * math.pi, decrement), fraction, 1e-3)
+    check.near("damping, energy balance", rows[-1][2], rows[0][2], 1e-3)
+    check.true("damping takes nearly all", rows[-1][3] > 0.9 * rows[0][2], f"{rows[-1][3] / rows[0][2]:.3f} of the energy")
+
+
+def critical_step(check):
+    """dt_c that the fix finds: free pair (rocking mode 7 ks A/m, or axial 2 kn A/m) and HCP plate (physics: 1.26, 0.81 us)."""
+
+    def found(script, **options):
+        output = check.run(script + "run 1\n", expect_failure=True, **options).output
+        return float(next(line for line in output.splitlines() if "critical" in line).split("critical ")[1].split()[0])
+
+    for kappa in (0.2, 2.66, 50):
+        stiffest = max(2 * KN, KN / kappa * (2 + 5 * (S / D)**2)) / MASS
+        script = head() + MODEL + spheres([[0, 0, 0], [S, 0, 0]]) + "timestep 1\n" + bond(kappa=kappa)
+        check.near(f"critical step of a pair, kappa {kappa} [s]", found(script), 2 / math.sqrt(stiffest), 1e-3)
+    box = "-0.01 0.05 -0.01 0.05 -0.01 0.05"
+    plate = {"plate.data": data([(c, D, RHO) for c in hcp(16, 18, 8)], box)}
+    for kappa, reference in ((1, 0.81e-6), (2.66, 1.26e-6)):
+        for ranks in (1, 2):
+            script = head(box, data_file="plate.data") + MODEL + "timestep 1\n" + bond(kappa=kappa)
+            check.near(f"critical step of HCP, kappa {kappa}, {ranks} ranks [s]", found(script, ranks=ranks, files=plate), reference, 1e-2)
+
+
 def main():
     check = Check()
-    for case in (oscillation, wave, cantilever, cantilever_frequency, torsion, energy):
+    for case in (oscillation, wave, cantilever, cantilever_frequency, torsion, energy, damping, critical_step):
         case(check)
     check.finish()
 

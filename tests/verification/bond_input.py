@@ -20,6 +20,10 @@ CASES = {
 }
 
 
+def error_of(run):
+    return next((line for line in run.output.splitlines() if "ERROR" in line), "")
+
+
 def script(keywords, more):
     distance = {"FAR": D + 0.5 * R, "VERY FAR": 5 * D}.get(more, D)
     text = head(skin=0.001) + MODEL + spheres([[0, 0, 0], [distance, 0, 0]]) + "timestep 1e-7\n"
@@ -32,7 +36,7 @@ def main():
     for name, (keywords, more, words) in CASES.items():
         for ranks in (1, 2):
             run = check.run(script(keywords, more), ranks=ranks, expect_failure=True)
-            message = next((line for line in run.output.splitlines() if "ERROR" in line), "")
+            message = error_of(run)
             check.true(f"{name} on {ranks}", all(word in message for word in words), message)
     text = script(NEEDED, "").replace("run 1", "compute f all fragment bondz\nrun 1")
     message = check.run(text, expect_failure=True).output
@@ -40,6 +44,14 @@ def main():
     text = script(NEEDED, "").replace("timestep 1e-7", "timestep 8e-7")
     check.true("time step above 0.2 of critical warns", "WARNING" in (out := check.run(text).output) and "critical" in out,
                next((line for line in out.splitlines() if "critical" in line), ""))
+    apart = head(processors="2 1 1") + MODEL + spheres([[-R, 0, 0], [R, 0, 0]]) + "timestep 1e-7\n" + bond()
+    apart += "group one id 1\ngroup two id 2\nfix a one move linear -20 0 0\nfix b two move linear 20 0 0\nrun 5000\n"
+    message = error_of(check.run(apart, ranks=2, expect_failure=True))
+    check.true("partner beyond the ghosts", all(w in message for w in ("id 2", "ghost", "communicate", "cutoff")), message)
+    fewer = head() + MODEL + spheres([[i * D, 0, 0] for i in range(4)]) + "timestep 1e-7\n" + bond()
+    fewer += "run 1\ngroup gone id 2\ndelete_atoms group gone\nrun 1\n"
+    message = error_of(check.run(fewer, expect_failure=True))
+    check.true("ids renumbered by delete_atoms", "ids changed" in message and "compress no" in message, message)
     check.finish()
 
 
