@@ -113,6 +113,16 @@ class ClosedForms(Case):
         reported = float(re.search(r"of the reports (\S+)", run.text).group(1))
         self.near(reported, 3 * MASS * self.final(run)["vmax"], 1e-12)
 
+    def test_bonded_spheres_are_shielded(self):
+        """Two spheres touch and are bonded: no exposure, no drag. The third one never had a bond: full drag."""
+        start = FRESH.replace("single 0.29 0.1 0.3", "single 0.12 0.2 0.2")
+        bonds = "fix bonds all bond/parallel young 1e5 stiffness_ratio 2 tensile_strength 1e6 shear_strength 1e6\n"
+        script = MOVE + bonds + COUPLE.replace("restart", "shielding bonds restart") + PRINT + "run 2000\n"
+        for ranks in ((1, 1), (2, 2)):
+            end = self.final(self.run_pair(script, ranks, start=start, K=0.02, u=1))
+            self.assertLess(abs(end["vmin"]), 1e-12)
+            self.near(end["vmax"], 1 - math.exp(-0.02 * 0.2 / MASS), 0.02 * DT / MASS)
+
     def test_particles_that_left_the_box_are_not_sent(self):
         """Boundary f: LIGGGHTS deletes them at its next neighbour list; the exchange before it must not stumble."""
         run = self.run_pair(MOVE + COUPLE + PRINT.replace("lost error", "lost ignore") + "run 2000\n", (2, 2), K=1, u=1)

@@ -1,7 +1,7 @@
 /// A stand-in for frazilFoam: a uniform flow over the whole coarse grid.
 ///
 /// With `echo=1` (partner: toy_dem) each reply repeats what came in, so that the partner can check that it is its own.
-/// Else every particle gets drag K towards `u`, added mass `ma` with fluid acceleration `dudt`, and the passive force
+/// Else every particle gets drag K (times its exposure) towards `u`, added mass `ma` with fluid acceleration `dudt`, and the passive force
 /// `passive`, all along x; the impulse that the particles report is summed up and printed at the end.
 /// fails=exit|finalize|abort|throw|hang at=STEP: how it leaves early. quiet ends: steps, or the partner's end.
 #include <cstdio>
@@ -57,7 +57,7 @@ Interaction reply(const ToyArguments& arguments, const ParticleView& particles, 
         r.dragCoefficient = double(particles.id[i]);
         r.fluidVelocity = particles.position[i];
     } else {
-        r.dragCoefficient = arguments.number("K", 0);
+        r.dragCoefficient = arguments.number("K", 0) * particles.exposure[i];
         r.fluidVelocity = {arguments.number("u", 0), 0, 0};
         r.addedMass = arguments.number("ma", 0);
         r.fluidAcceleration = {arguments.number("dudt", 0), 0, 0};
