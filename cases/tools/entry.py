@@ -29,7 +29,7 @@ def write_projectile(run, parameters, tip_height):
 def coarse_box(parameters):
     """Box of the coarse grid and of the particles: as wide as the fluid, deep enough for the whole path."""
     cell = 2 * SIDE / parameters["coarse_cells"]
-    down, up = math.ceil(parameters["reach_below"] / cell), math.floor(HEIGHT / cell)
+    down, up = math.ceil(parameters["reach_below"] / cell - 1e-9), math.floor(HEIGHT / cell + 1e-9)
     return cell, ((-SIDE, SIDE), (-down * cell, up * cell), (-SIDE, SIDE))
 
 
