@@ -11,6 +11,7 @@
 #include "fix_body_rigid.h"
 #include "fix_bond_parallel.h"
 #include "fix_couple_foam.h"
+#include "fix_results.h"
 #include "input.h"
 #include "modify.h"
 
@@ -59,6 +60,7 @@ void addStyles(LAMMPS *lmp)
   fixes["body/rigid"] = &newFix<FixBodyRigid>;
   fixes["bond/parallel"] = &newFix<FixBondParallel>;
   fixes["couple/foam"] = &newFix<FixCoupleFoam>;
+  fixes["results"] = &newFix<FixResults>;
   computes["fragment"] = &newCompute<ComputeFragment>;
 }
 

@@ -92,15 +92,18 @@ void Foam::pairExchange::cutFineCells()
 }
 
 
+bool Foam::pairExchange::restarted() const
+{
+    return mesh_.time().timeIndex() > 0 && std::filesystem::exists("ledger.csv");
+}
+
+
 void Foam::pairExchange::openLedger()
 {
     if (!Pstream::master())
     {
         return;
     }
-
-    const bool restarted =
-        mesh_.time().timeIndex() > 0 && std::filesystem::exists("ledger.csv");
 
     ledger_.reset
     (
@@ -110,14 +113,44 @@ void Foam::pairExchange::openLedger()
             IOstream::ASCII,
             IOstream::currentVersion,
             IOstream::UNCOMPRESSED,
-            restarted
+            restarted()
         )
     );
 
-    if (!restarted)
+    if (!restarted())
     {
         ledger_() << frazil::Ledger::csvHeader().c_str() << endl;
     }
+}
+
+
+void Foam::pairExchange::writeCoarse()
+{
+    const frazil::CoarseField<double>& solid = step_.solidVolume();
+    const frazil::CoarseField<frazil::CoarseFluid>& fluid = step_.fluid();
+
+    const label owned = step_.cells().ownedCount();
+    std::vector<double> solidFraction(owned), water(owned);
+    std::vector<frazil::Vec3> velocity(owned);
+    for (label cell = 0; cell < owned; ++cell)
+    {
+        solidFraction[cell] = solid[cell]/grid_.cellVolume();
+        water[cell] = fluid[cell].wetFraction;
+        velocity[cell] = fluid[cell].velocity;
+    }
+
+    snapshots_->begin(mesh_.time().timeIndex(), mesh_.time().value());
+    snapshots_->coarse
+    (
+        "coarse",
+        grid_,
+        {
+            {"solid fraction", 1, solidFraction.data()},
+            {"water fraction", 1, water.data()},
+            {"velocity", 3, reinterpret_cast<const double*>(velocity.data())}
+        }
+    );
+    snapshots_->end();
 }
 
 
@@ -201,6 +234,17 @@ Foam::pairExchange::pairExchange
     );
     connect(gravity, bodies, watchdog);
     bodyLoads_.resize(bodies.size());
+
+    using frazil::SnapshotFile;
+    snapshots_.reset
+    (
+        new SnapshotFile
+        (
+            "coarse.h5",
+            frazil::World::instance().own(),
+            restarted() ? SnapshotFile::Mode::append : SnapshotFile::Mode::create
+        )
+    );
     openLedger();
 }
 
@@ -241,6 +285,11 @@ Foam::scalar Foam::pairExchange::exchange
     if (ledger_.valid())
     {
         ledger_() << ledger.csvLine(step.time).c_str() << endl;
+    }
+
+    if (mesh_.time().writeTime() || mesh_.time().timeIndex() == 0)
+    {
+        writeCoarse();
     }
 
     exchangeTime_ += wallTime() - start;

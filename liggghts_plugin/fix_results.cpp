@@ -1,0 +1,188 @@
+#include "fix_results.h"
+
+#include "fix_bond_parallel.h"
+
+#include "atom.h"
+#include "compute.h"
+#include "error.h"
+#include "modify.h"
+#include "update.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "SnapshotFile.h"
+
+using namespace LAMMPS_NS;
+using frazil::SnapshotArray;
+using frazil::SnapshotFile;
+
+/* ---------------------------------------------------------------------- */
+
+FixResults::FixResults(LAMMPS* lmp, int narg, char** arg)
+    : Fix(lmp, narg, arg), file_("particles.h5"), bonds_(NULL), fluid_(NULL), fragment_(NULL), writtenAt_(-1)
+{
+    if (narg < 4) stop("syntax: fix ID group results N [file F] [bonds FIX] [fluid FIX] [fragment COMPUTE]");
+    nevery = atoi(arg[3]);
+    if (nevery <= 0) stop(std::string("the number of steps between snapshots is '") + arg[3] + "', must be above 0");
+    readKeywords(narg - 4, arg + 4);
+}
+
+FixResults::~FixResults() {}
+
+void FixResults::readKeywords(int narg, char** arg)
+{
+    const std::array<std::pair<const char*, std::string*>, 4> known = {
+        {{"file", &file_}, {"bonds", &bondsId_}, {"fluid", &fluidId_}, {"fragment", &fragmentId_}}};
+
+    for (int i = 0; i < narg; i += 2) {
+        std::string* value = NULL;
+        for (const auto& keyword : known)
+            if (strcmp(arg[i], keyword.first) == 0) value = keyword.second;
+        if (!value) stop(std::string("unknown keyword '") + arg[i] + "'; known: file, bonds, fluid, fragment");
+        if (i + 1 == narg) stop(std::string("keyword '") + arg[i] + "' needs a value");
+        *value = arg[i + 1];
+    }
+}
+
+int FixResults::setmask() { return FixConst::END_OF_STEP; }
+
+Fix* FixResults::findFix(const std::string& keyword, const std::string& id)
+{
+    if (id.empty()) return NULL;
+    const int index = modify->find_fix(id.c_str());
+    if (index < 0) stop(keyword + " " + id + ": there is no fix of this ID; define it before the run");
+    return modify->fix[index];
+}
+
+void FixResults::init()
+{
+    fluid_ = findFix("fluid", fluidId_);
+    Fix* bonds = findFix("bonds", bondsId_);
+    bonds_ = dynamic_cast<FixBondParallel*>(bonds);
+    if (bonds && !bonds_) stop("bonds " + bondsId_ + ": is a fix " + bonds->style + ", must be a fix bond/parallel");
+
+    if (fragmentId_.empty()) return;
+    const int index = modify->find_compute(fragmentId_.c_str());
+    if (index < 0) stop("fragment " + fragmentId_ + ": there is no compute of this ID; define it before the run");
+    fragment_ = modify->compute[index];
+}
+
+void FixResults::setup(int)
+{
+    if (!snapshots_) {
+        // a continued run goes on in its file
+        const SnapshotFile::Mode mode = update->ntimestep > 0 ? SnapshotFile::Mode::append : SnapshotFile::Mode::create;
+        snapshots_.reset(new SnapshotFile(file_, world, mode));
+    }
+    if (update->ntimestep % nevery == 0) write();
+    if (fragment_) fragment_->addstep(update->ntimestep + nevery - update->ntimestep % nevery);
+}
+
+void FixResults::end_of_step() { write(); }
+
+/* ---------------------------------------------------------------------- */
+
+double FixResults::time() const { return update->atime + (update->ntimestep - update->atimestep) * update->dt; }
+
+void FixResults::write()
+{
+    if (update->ntimestep == writtenAt_) return;
+    writtenAt_ = update->ntimestep;
+
+    gatherParticles();
+    std::vector<std::int64_t> ids;
+    std::vector<frazil::Vec3> position;
+    for (int i : members_) {
+        ids.push_back(atom->tag[i]);
+        position.push_back({atom->x[i][0], atom->x[i][1], atom->x[i][2]});
+    }
+    std::vector<SnapshotArray> arrays;
+    for (const Column& c : columns_) arrays.push_back({c.name, c.components, c.values.data()});
+
+    try {
+        snapshots_->begin(update->ntimestep, time());
+        snapshots_->particles("particles", ids, position.data(), arrays);
+        if (bonds_) writeBonds();
+        snapshots_->end();
+    } catch (const std::exception& e) {
+        stop(e.what());
+    }
+    if (fragment_) fragment_->addstep(update->ntimestep + nevery);
+}
+
+void FixResults::gatherParticles()
+{
+    members_.clear();
+    for (int i = 0; i < atom->nlocal; i++)
+        if (atom->mask[i] & groupbit) members_.push_back(i);
+
+    columns_.clear();
+    addScalars("radius", atom->radius);
+    addVectors("velocity", atom->v, 0);
+    addVectors("angular velocity", atom->omega, 0);
+    addFluid();
+    addBonds();
+    addFragments();
+}
+
+void FixResults::addVectors(const char* name, double** rows, int from)
+{
+    columns_.push_back({name, 3, {}});
+    std::vector<double>& values = columns_.back().values;
+    for (int i : members_) values.insert(values.end(), rows[i] + from, rows[i] + from + 3);
+}
+
+void FixResults::addScalars(const char* name, const double* values)
+{
+    columns_.push_back({name, 1, {}});
+    for (int i : members_) columns_.back().values.push_back(values[i]);
+}
+
+void FixResults::addFluid()
+{
+    if (fluid_ && fluid_->array_atom) addVectors("fluid force", fluid_->array_atom, 0);
+}
+
+void FixResults::addBonds()
+{
+    if (!bonds_ || !bonds_->array_atom) return;
+    Column intact = {"intact bonds", 1, {}}, stress = {"stress", 6, {}};
+    for (int i : members_) {
+        const double* row = bonds_->array_atom[i];
+        intact.values.push_back(row[0]);
+        stress.values.insert(stress.values.end(), row + 2, row + 8);
+    }
+    columns_.push_back(intact);
+    columns_.push_back(stress);
+}
+
+void FixResults::addFragments()
+{
+    if (!fragment_) return;
+    if (fragment_->invoked_peratom != update->ntimestep) fragment_->compute_peratom();
+    addScalars("fragment", fragment_->vector_atom);
+}
+
+void FixResults::writeBonds()
+{
+    const frazil::BondTable& table = bonds_->bonds();
+    std::vector<std::array<std::int64_t, 2>> ends;
+    std::vector<double> strength;
+    for (std::size_t k = 0; k < table.size(); k++) {
+        if (table.target1[k] >= atom->nlocal) continue;
+        ends.push_back({{table.id1[k], table.id2[k]}});
+        strength.push_back(table.strength[k]);
+    }
+    snapshots_->bonds("bonds", ends, {{"strength", 1, strength.data()}});
+}
+
+void FixResults::stop(const std::string& message)
+{
+    const std::string text = std::string("fix ") + id + " results: " + message;
+    error->all(FLERR, text.c_str());
+    abort(); // error->all does not return, but is not declared so
+}
