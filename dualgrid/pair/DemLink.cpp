@@ -4,7 +4,8 @@
 
 #include "InputError.h"
 
-namespace frazil {
+namespace frazil
+{
 
 DemLink::DemLink() : Link(Side::dem) {}
 
@@ -50,12 +51,13 @@ void DemLink::findOwners(const std::vector<ParticleRecord>& records, const Coars
         owner_[i] = grid.ownerOf(p);
         if (owner_[i] < 0) {
             const Box& box = grid.box();
-            throw InputError("constant/couplingProperties", "coarseGrid",
-                             fmt::format("({:g} {:g} {:g}) to ({:g} {:g} {:g})", box.min.x, box.min.y, box.min.z, box.max.x,
-                                         box.max.y, box.max.z),
-                             fmt::format("particle {} has left it, at ({:g} {:g} {:g}) m", records[i].id, p.x, p.y, p.z),
-                             "widen coarseGrid min and max, or give LIGGGHTS a smaller box that deletes particles "
-                             "(boundary f) before they leave the coarse grid");
+            throw InputError(
+                "constant/couplingProperties", "coarseGrid",
+                fmt::format("({:g} {:g} {:g}) to ({:g} {:g} {:g})", box.min.x, box.min.y, box.min.z, box.max.x,
+                            box.max.y, box.max.z),
+                fmt::format("particle {} has left it, at ({:g} {:g} {:g}) m", records[i].id, p.x, p.y, p.z),
+                "widen coarseGrid min and max, or give LIGGGHTS a smaller box that deletes particles "
+                "(boundary f) before they leave the coarse grid");
         }
         ++first_[owner_[i] + 1];
     }

@@ -17,7 +17,8 @@
 #include "Link.h"
 #include "Messages.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class DemLink : public Link
 {
@@ -48,9 +49,9 @@ class DemLink : public Link
     void deliver();
     std::size_t countFor(int owner) const { return first_[owner + 1] - first_[owner]; }
 
-    std::vector<int> owner_;            ///< per record
-    std::vector<std::size_t> first_;    ///< per owner: its first place in outgoing_; one more at the end
-    std::vector<std::size_t> place_;    ///< per record: its place in outgoing_ and incoming_
+    std::vector<int> owner_;         ///< per record
+    std::vector<std::size_t> first_; ///< per owner: its first place in outgoing_; one more at the end
+    std::vector<std::size_t> place_; ///< per record: its place in outgoing_ and incoming_
     std::vector<ParticleRecord> outgoing_;
     std::vector<ParticleReply> incoming_;
     std::vector<MPI_Request> sends_, replies_;

@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 constexpr int askTag = 201, valueTag = 202;
 
@@ -30,7 +32,8 @@ ExchangePlan::ExchangePlan(const std::vector<std::int64_t>& owned, const std::ve
 }
 
 ExchangePlan::ExchangePlan(const LocalCells& cells, MPI_Comm comm)
-    : ExchangePlan(cells.ownedIds(), cells.ghostIds(), [&](std::int64_t id) { return cells.grid().ownerOf(id); }, comm)
+    : ExchangePlan(
+          cells.ownedIds(), cells.ghostIds(), [&](std::int64_t id) { return cells.grid().ownerOf(id); }, comm)
 {
 }
 
@@ -73,7 +76,8 @@ void ExchangePlan::askOwners(const std::vector<std::int64_t>& owned, const std::
             int count;
             MPI_Get_count(&status, MPI_INT64_T, &count);
             asked.emplace_back(status.MPI_SOURCE, std::vector<std::int64_t>(count));
-            MPI_Recv(asked.back().second.data(), count, MPI_INT64_T, status.MPI_SOURCE, askTag, comm_, MPI_STATUS_IGNORE);
+            MPI_Recv(asked.back().second.data(), count, MPI_INT64_T, status.MPI_SOURCE, askTag, comm_,
+                     MPI_STATUS_IGNORE);
         }
         if (sent) {
             MPI_Test(&barrier, &over, MPI_STATUS_IGNORE);
@@ -102,8 +106,9 @@ void ExchangePlan::listHolders(const std::vector<std::int64_t>& owned,
         for (std::int64_t id : ids) {
             const auto found = place.find(id);
             if (found == place.end()) {
-                throw std::logic_error(fmt::format("ExchangePlan: rank {} wants cell {} from rank {}, which does not own it",
-                                                   rank, id, rankIn(comm_)));
+                throw std::logic_error(
+                    fmt::format("ExchangePlan: rank {} wants cell {} from rank {}, which does not own it", rank, id,
+                                rankIn(comm_)));
             }
             ownedPlace_.push_back(found->second);
         }

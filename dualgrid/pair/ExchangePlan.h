@@ -1,7 +1,8 @@
 /// Who sends what to whom for the ghost cells of one communicator. Built once, used for any field on the same cells.
 ///
 ///   update      owner -> ghosts: every copy gets the owner's value
-///   accumulate  ghosts -> owner: the owner adds the copies' contributions, in rank order, so the sum does not depend on
+///   accumulate  ghosts -> owner: the owner adds the copies' contributions, in rank order, so the sum does not depend
+///   on
 ///               the arrival of messages; the ghosts keep theirs. Adjoint of update.
 ///
 /// Values lie as in LocalCells: owned first, ghosts after, in the order of the lists given here.
@@ -19,7 +20,8 @@
 
 #include "LocalCells.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class ExchangePlan
 {
@@ -40,7 +42,7 @@ class ExchangePlan
   private:
     struct Neighbour {
         int rank;
-        int first, count;  ///< range of ownedPlace_ or ghostPlace_
+        int first, count; ///< range of ownedPlace_ or ghostPlace_
     };
 
     template <class T> static constexpr int width()
@@ -60,10 +62,10 @@ class ExchangePlan
 
     MPI_Comm comm_;
     int ownedCount_;
-    std::vector<Neighbour> ghostOwners_;   ///< ranks that own my ghosts
-    std::vector<Neighbour> ghostHolders_;  ///< ranks that hold copies of my cells, in rank order
-    std::vector<int> ghostPlace_;          ///< per ghost owner: places of the ghosts in the values
-    std::vector<int> ownedPlace_;          ///< per ghost holder: places of the owned cells in the values
+    std::vector<Neighbour> ghostOwners_;  ///< ranks that own my ghosts
+    std::vector<Neighbour> ghostHolders_; ///< ranks that hold copies of my cells, in rank order
+    std::vector<int> ghostPlace_;         ///< per ghost owner: places of the ghosts in the values
+    std::vector<int> ownedPlace_;         ///< per ghost holder: places of the owned cells in the values
     std::vector<double> outgoing_, incoming_;
     std::vector<MPI_Request> requests_;
 };

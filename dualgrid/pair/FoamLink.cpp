@@ -4,7 +4,8 @@
 
 #include <fmt/format.h>
 
-namespace frazil {
+namespace frazil
+{
 
 FoamLink::FoamLink() : Link(Side::foam) {}
 
@@ -19,7 +20,8 @@ DemHello FoamLink::handshake(FoamHello mine)
     MPI_Bcast(said.data(), int(length), MPI_BYTE, 0, world_.own());
     send(helloTag, said);
     patience_.setLimit(mine.watchdog);
-    const DemHello partner = unpackDemHello(receive(helloTag, "greet (it does so at its first run with fix couple/foam)"));
+    const DemHello partner =
+        unpackDemHello(receive(helloTag, "greet (it does so at its first run with fix couple/foam)"));
     compare(partner, unpackFoamHello(said));
     return partner;
 }
@@ -44,8 +46,7 @@ const ParticleInbox& FoamLink::receiveParticles()
     MPI_Request barrier;
     MPI_Ibarrier(world_.all(), &barrier);
     patience_.until("send its particles", [&] {
-        while (receiveOne(tag)) {
-        }
+        while (receiveOne(tag)) {}
         int done;
         MPI_Test(&barrier, &done, MPI_STATUS_IGNORE);
         return done != 0;

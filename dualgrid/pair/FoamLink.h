@@ -11,7 +11,8 @@
 #include "Messages.h"
 #include "ParticleInbox.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class FoamLink : public Link
 {
@@ -36,8 +37,8 @@ class FoamLink : public Link
 
   private:
     struct Sender {
-        int rank;           ///< in World::all()
-        std::size_t first;  ///< place of its first record
+        int rank;          ///< in World::all()
+        std::size_t first; ///< place of its first record
         std::size_t count;
     };
     bool receiveOne(int tag);

@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 /// Writes or reads the members of a hello in one order, so that packing and unpacking cannot drift apart.
 class Archive
@@ -48,7 +50,8 @@ class Archive
         if (!reading_) {
             bytes_.insert(bytes_.end(), place, place + size);
         } else if (at_ + size > bytes_.size()) {
-            throw std::runtime_error("The partner's greeting cannot be read: the two programs are of different versions");
+            throw std::runtime_error(
+                "The partner's greeting cannot be read: the two programs are of different versions");
         } else {
             std::memcpy(place, bytes_.data() + at_, size);
             at_ += size;
@@ -98,7 +101,8 @@ std::string compareUnits(const DemHello& dem)
     if (dem.units == "si") {
         return "";
     }
-    return fmt::format("units: frazilDem computes in `{}`, frazilFoam in SI. Use `units si` in the input script.\n", dem.units);
+    return fmt::format("units: frazilDem computes in `{}`, frazilFoam in SI. Use `units si` in the input script.\n",
+                       dem.units);
 }
 
 std::string compareGravity(const DemHello& dem, const FoamHello& foam)
@@ -116,15 +120,17 @@ std::string compareTimes(const DemHello& dem, const FoamHello& foam)
     const double demSpan = dem.endTime - dem.startTime, foamSpan = foam.endTime - foam.startTime;
     std::string lines;
     if (demSpan < foamSpan - 0.5 * dem.deltaT) {
-        lines += fmt::format("end time: frazilDem's run ends {:g} s after the start of the coupling ({:.0f} steps of {:g} s), "
-                             "frazilFoam's endTime lies {:g} s after it. Lengthen `run` to {:.0f} steps (if it is split into "
-                             "several, say where the last one ends: run N stop STEP) or shorten endTime.\n",
-                             demSpan, demSpan / dem.deltaT, dem.deltaT, foamSpan, std::ceil(foamSpan / dem.deltaT - 1e-6));
+        lines += fmt::format(
+            "end time: frazilDem's run ends {:g} s after the start of the coupling ({:.0f} steps of {:g} s), "
+            "frazilFoam's endTime lies {:g} s after it. Lengthen `run` to {:.0f} steps (if it is split into "
+            "several, say where the last one ends: run N stop STEP) or shorten endTime.\n",
+            demSpan, demSpan / dem.deltaT, dem.deltaT, foamSpan, std::ceil(foamSpan / dem.deltaT - 1e-6));
     }
     if (dem.fluidTime >= 0 && std::fabs(dem.fluidTime - foam.startTime) > 0.5 * dem.deltaT) {
-        lines += fmt::format("start time: frazilDem's restart file belongs to fluid time {:g} s, frazilFoam starts at {:g} s. "
-                             "Take the restart file and the time folder of the same time.\n",
-                             dem.fluidTime, foam.startTime);
+        lines += fmt::format(
+            "start time: frazilDem's restart file belongs to fluid time {:g} s, frazilFoam starts at {:g} s. "
+            "Take the restart file and the time folder of the same time.\n",
+            dem.fluidTime, foam.startTime);
     }
     return lines;
 }
@@ -179,20 +185,23 @@ std::string compareBodies(const DemHello& dem, const FoamHello& foam)
     for (const BodyHello& body : dem.bodies) {
         const BodyHello* other = find(foam.bodies, body.name);
         if (!other) {
-            lines += fmt::format("bodies: frazilDem has a body `{}` (fix body/rigid), frazilFoam has: {}. Add it to bodies "
-                                 "in constant/couplingProperties.\n",
-                                 body.name, names(foam.bodies));
+            lines +=
+                fmt::format("bodies: frazilDem has a body `{}` (fix body/rigid), frazilFoam has: {}. Add it to bodies "
+                            "in constant/couplingProperties.\n",
+                            body.name, names(foam.bodies));
         } else if (std::fabs(other->volume - body.volume) > 1e-6 * std::fabs(body.volume)) {
-            lines += fmt::format("body `{}`: its surface holds {:.9g} m3 in frazilDem, {:.9g} m3 in frazilFoam. Give both the "
-                                 "same STL file and scale.\n",
-                                 body.name, body.volume, other->volume);
+            lines += fmt::format(
+                "body `{}`: its surface holds {:.9g} m3 in frazilDem, {:.9g} m3 in frazilFoam. Give both the "
+                "same STL file and scale.\n",
+                body.name, body.volume, other->volume);
         }
     }
     for (const BodyHello& body : foam.bodies) {
         if (!find(dem.bodies, body.name)) {
-            lines += fmt::format("bodies: frazilFoam has a body `{}` (constant/couplingProperties), frazilDem has: {}. Add a fix "
-                                 "body/rigid with this name to the input script, or remove the body.\n",
-                                 body.name, names(dem.bodies));
+            lines += fmt::format(
+                "bodies: frazilFoam has a body `{}` (constant/couplingProperties), frazilDem has: {}. Add a fix "
+                "body/rigid with this name to the input script, or remove the body.\n",
+                body.name, names(dem.bodies));
         }
     }
     return lines;
@@ -235,8 +244,9 @@ FoamHello unpackFoamHello(const std::vector<char>& bytes)
 std::string mismatch(const DemHello& dem, const FoamHello& foam)
 {
     if (dem.version != foam.version) {
-        return fmt::format("version of the messages: {} in frazilDem, {} in frazilFoam. Build both from the same sources.\n",
-                           dem.version, foam.version);
+        return fmt::format(
+            "version of the messages: {} in frazilDem, {} in frazilFoam. Build both from the same sources.\n",
+            dem.version, foam.version);
     }
     return compareUnits(dem) + compareGravity(dem, foam) + compareTimes(dem, foam) + compareSpace(dem, foam) +
            compareBodies(dem, foam);

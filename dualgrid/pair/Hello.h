@@ -11,41 +11,42 @@
 #include "Box.h"
 #include "Vec3.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// Version of the messages; raised when a record or its meaning changes.
 constexpr std::int64_t messageVersion = 1;
 
 struct BodyHello {
     std::string name;
-    double volume = 0;  ///< of the closed surface [m3]
+    double volume = 0; ///< of the closed surface [m3]
 };
 
 struct DemHello {
     std::int64_t version = messageVersion;
-    std::string units = "si";    ///< LIGGGHTS's unit style
-    Vec3 gravity;                ///< of fix gravity; zero without one [m/s2]
-    double startTime = 0;        ///< DEM time at the handshake, its own clock [s]
-    double endTime = 0;          ///< at the end of the run (`run ... stop`) [s]
-    double deltaT = 0;           ///< DEM time step [s]
-    double fluidTime = -1;       ///< fluid time that a restart file belongs to [s]; negative: not restarted
-    Box box;                     ///< LIGGGHTS's simulation box [m]
-    Box reach;                   ///< bounding box of the coupled particles' centres [m]
-    double largestRadius = 0;    ///< of the coupled particles [m]
-    std::int64_t particles = 0;  ///< in the group of fix couple/foam
+    std::string units = "si";   ///< LIGGGHTS's unit style
+    Vec3 gravity;               ///< of fix gravity; zero without one [m/s2]
+    double startTime = 0;       ///< DEM time at the handshake, its own clock [s]
+    double endTime = 0;         ///< at the end of the run (`run ... stop`) [s]
+    double deltaT = 0;          ///< DEM time step [s]
+    double fluidTime = -1;      ///< fluid time that a restart file belongs to [s]; negative: not restarted
+    Box box;                    ///< LIGGGHTS's simulation box [m]
+    Box reach;                  ///< bounding box of the coupled particles' centres [m]
+    double largestRadius = 0;   ///< of the coupled particles [m]
+    std::int64_t particles = 0; ///< in the group of fix couple/foam
     std::vector<BodyHello> bodies;
 };
 
 struct FoamHello {
     std::int64_t version = messageVersion;
-    Vec3 gravity;            ///< constant/g [m/s2]
-    double startTime = 0;    ///< [s]
-    double endTime = 0;      ///< controlDict endTime [s]
-    Box mesh;                ///< bounding box of the fluid mesh [m]
-    Box coarse;              ///< coarseGrid min max as given [m]
-    double cellSize = 0;     ///< coarseGrid cellSize [m]
-    std::int64_t ranks = 1;  ///< owners of the coarse grid; filled in by FoamLink
-    double watchdog = 600;   ///< couplingProperties watchdog [s]
+    Vec3 gravity;           ///< constant/g [m/s2]
+    double startTime = 0;   ///< [s]
+    double endTime = 0;     ///< controlDict endTime [s]
+    Box mesh;               ///< bounding box of the fluid mesh [m]
+    Box coarse;             ///< coarseGrid min max as given [m]
+    double cellSize = 0;    ///< coarseGrid cellSize [m]
+    std::int64_t ranks = 1; ///< owners of the coarse grid; filled in by FoamLink
+    double watchdog = 600;  ///< couplingProperties watchdog [s]
     std::vector<BodyHello> bodies;
 };
 

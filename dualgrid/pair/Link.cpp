@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-namespace frazil {
+namespace frazil
+{
 
 Link::Link(Side side) : world_(World::coupledInstance())
 {

@@ -10,7 +10,8 @@
 #include "Wait.h"
 #include "World.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class Link
 {
@@ -24,7 +25,14 @@ class Link
     double waited() const { return patience_.waited(); }
 
   protected:
-    enum Tag { helloTag = 1, stepTag, bodyTag, loadTag, particleTag /* and the next one */, replyTag = particleTag + 2 };
+    enum Tag {
+        helloTag = 1,
+        stepTag,
+        bodyTag,
+        loadTag,
+        particleTag /* and the next one */,
+        replyTag = particleTag + 2
+    };
 
     /// Throws InputError with the command to use if there is no partner.
     explicit Link(Side side);

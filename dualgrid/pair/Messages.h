@@ -6,17 +6,18 @@
 #include "Interaction.h"
 #include "Vec3.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// One particle on its way from frazilDem to the fluid rank that owns its coarse cell.
 struct ParticleRecord {
     std::int64_t id = 0;
-    Vec3 position;         ///< [m]
-    Vec3 velocity;         ///< [m/s]
-    Vec3 angularVelocity;  ///< [rad/s]
-    Vec3 impulse;          ///< drag and added-mass impulse received since the last exchange [N s]
-    double radius = 0;     ///< [m]
-    double exposure = 1;   ///< [-]
+    Vec3 position;        ///< [m]
+    Vec3 velocity;        ///< [m/s]
+    Vec3 angularVelocity; ///< [rad/s]
+    Vec3 impulse;         ///< drag and added-mass impulse received since the last exchange [N s]
+    double radius = 0;    ///< [m]
+    double exposure = 1;  ///< [-]
 };
 
 /// The reply for one particle, in the order of the records.
@@ -24,21 +25,22 @@ using ParticleReply = Interaction;
 
 /// frazilFoam's order for the step that both now take.
 struct StepOrder {
-    double time = 0;            ///< fluid time at the start of the step [s]
-    double deltaT = 0;          ///< fluid time step [s], substeps × DEM time step
-    std::int64_t substeps = 0;  ///< DEM steps in it
-    std::int64_t finish = 0;    ///< 1: the fluid has reached its end, no step follows
-    std::int64_t written = 0;   ///< 1: the fluid has written its fields at `time`, so that frazilDem writes a restart file
-    double waited = 0;          ///< wall time that frazilFoam has waited for frazilDem so far [s]
+    double time = 0;           ///< fluid time at the start of the step [s]
+    double deltaT = 0;         ///< fluid time step [s], substeps × DEM time step
+    std::int64_t substeps = 0; ///< DEM steps in it
+    std::int64_t finish = 0;   ///< 1: the fluid has reached its end, no step follows
+    std::int64_t written =
+        0;             ///< 1: the fluid has written its fields at `time`, so that frazilDem writes a restart file
+    double waited = 0; ///< wall time that frazilFoam has waited for frazilDem so far [s]
 };
 
 /// frazilDem's report at the start of a fluid step.
 struct StepReport {
-    double time = 0;              ///< DEM time [s]
-    double solidVolume = 0;       ///< Σ V_p over all particles of the group [m3]
-    Vec3 impulse;                 ///< Σ impulse over them, lost ones included [N s]
+    double time = 0;        ///< DEM time [s]
+    double solidVolume = 0; ///< Σ V_p over all particles of the group [m3]
+    Vec3 impulse;           ///< Σ impulse over them, lost ones included [N s]
     std::int64_t particles = 0;
-    std::int64_t finish = 0;      ///< 1: frazilDem has reached its end, no step follows
+    std::int64_t finish = 0; ///< 1: frazilDem has reached its end, no step follows
 };
 
 /// State of a rigid body at the start of a fluid step.
@@ -47,16 +49,16 @@ struct BodyState {
     Vec3 centre;                          ///< centre of mass [m]
     Vec3 velocity;                        ///< [m/s]
     Vec3 angularVelocity;                 ///< [rad/s]
-    double orientation[4] = {1, 0, 0, 0};  ///< quaternion, w first, from the surface as first loaded to now
-    Vec3 centroidOffset;                  ///< centroid of the closed surface minus centre of mass, initial orientation [m]
-    double volume = 0;                    ///< of the closed surface [m3], compared with the partner's
+    double orientation[4] = {1, 0, 0, 0}; ///< quaternion, w first, from the surface as first loaded to now
+    Vec3 centroidOffset; ///< centroid of the closed surface minus centre of mass, initial orientation [m]
+    double volume = 0;   ///< of the closed surface [m3], compared with the partner's
 };
 
 /// What the fluid does to the body over a step.
 struct BodyLoad {
-    Vec3 force;              ///< [N], buoyancy included
-    Vec3 torque;             ///< about the centre of mass [N m]
-    double wetFraction = 0;  ///< share of the body's volume below water [-]
+    Vec3 force;             ///< [N], buoyancy included
+    Vec3 torque;            ///< about the centre of mass [N m]
+    double wetFraction = 0; ///< share of the body's volume below water [-]
 };
 
 } // namespace frazil

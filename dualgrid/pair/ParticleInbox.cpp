@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-namespace frazil {
+namespace frazil
+{
 
 ParticleView ParticleInbox::view() const
 {

@@ -11,7 +11,8 @@
 #include "Messages.h"
 #include "ParticleView.h"
 
-namespace frazil {
+namespace frazil
+{
 
 class ParticleInbox
 {
@@ -27,7 +28,7 @@ class ParticleInbox
   private:
     void resize(std::size_t count);
 
-    std::vector<std::pair<std::int64_t, std::int64_t>> order_;  ///< id, index among the records
+    std::vector<std::pair<std::int64_t, std::int64_t>> order_; ///< id, index among the records
     std::vector<std::int64_t> id_;
     std::vector<Vec3> position_, velocity_, angularVelocity_, impulse_;
     std::vector<double> radius_, exposure_;

@@ -8,9 +8,11 @@
 
 #include "World.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 // Yield while the answer may be a matter of microseconds, then sleep: short waits stay short, long ones cost nothing.
 void backOff(double elapsed)

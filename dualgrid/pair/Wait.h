@@ -10,7 +10,8 @@
 
 #include <mpi.h>
 
-namespace frazil {
+namespace frazil
+{
 
 class Patience
 {

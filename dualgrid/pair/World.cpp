@@ -8,9 +8,11 @@
 
 #include "InputError.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
 // Last words travel on their own tag, looked for in every wait.
 constexpr int lastWordsTag = 99;

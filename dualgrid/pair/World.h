@@ -8,8 +8,8 @@
 /// OpenFOAM v1912 know nothing else. A program that runs alone gets own = world and nothing is changed.
 ///
 /// Ends: whoever leaves before the coupling has said goodbye has failed. That may be MPI_Finalize (LIGGGHTS's
-/// error->all), MPI_Abort (OpenFOAM in parallel), exit() (OpenFOAM in serial) or an exception. All come to fail(), which
-/// prints who failed, tells the partner so that it can say the same in its own log, and aborts the pair. A killed
+/// error->all), MPI_Abort (OpenFOAM in parallel), exit() (OpenFOAM in serial) or an exception. All come to fail(),
+/// which prints who failed, tells the partner so that it can say the same in its own log, and aborts the pair. A killed
 /// process is noticed by mpirun.
 ///
 /// Cost: one MPI_Comm_split and one MPI_Comm_dup at the start.
@@ -19,14 +19,18 @@
 
 #include <mpi.h>
 
-namespace frazil {
+namespace frazil
+{
 
 /// The two programs of a pair.
 enum class Side { dem, foam };
 
 /// "frazilDem" or "frazilFoam".
 const char* programName(Side side);
-inline Side partnerOf(Side side) { return side == Side::dem ? Side::foam : Side::dem; }
+inline Side partnerOf(Side side)
+{
+    return side == Side::dem ? Side::foam : Side::dem;
+}
 
 class World
 {

@@ -1,10 +1,11 @@
 /// The MPI calls of both hosts' libraries, with the world replaced by this program's part of it.
 ///
-/// LIGGGHTS's timing (finish.cpp), VTK's parallel dumps (vtkMPIController) and all of OpenFOAM v1912 use MPI_COMM_WORLD.
-/// With two programs in one mpirun they would wait for each other's collectives for ever. MPI's profiling interface
-/// exists for this: a program may define any MPI_X itself and reach the library's own by PMPI_X. Here every call that
-/// takes a communicator and that one of these libraries makes passes `ours(comm)` on, which is the program's own part
-/// when the caller says world, and what the caller said otherwise. A program that runs alone passes the world itself.
+/// LIGGGHTS's timing (finish.cpp), VTK's parallel dumps (vtkMPIController) and all of OpenFOAM v1912 use
+/// MPI_COMM_WORLD. With two programs in one mpirun they would wait for each other's collectives for ever. MPI's
+/// profiling interface exists for this: a program may define any MPI_X itself and reach the library's own by PMPI_X.
+/// Here every call that takes a communicator and that one of these libraries makes passes `ours(comm)` on, which is the
+/// program's own part when the caller says world, and what the caller said otherwise. A program that runs alone passes
+/// the world itself.
 ///
 /// The executable must export these symbols (-rdynamic, CMake ENABLE_EXPORTS), so that libraries loaded before Open MPI
 /// find them first. This file is an object library for that reason: from an archive the linker might leave it out.
@@ -13,7 +14,8 @@
 
 #include "World.h"
 
-namespace {
+namespace
+{
 
 inline MPI_Comm ours(MPI_Comm comm)
 {
@@ -61,7 +63,10 @@ int MPI_Abort(MPI_Comm comm, int code)
 // ---- Every other call: FORWARD(name, (parameters), (arguments)) ----
 
 #define FORWARD(name, parameters, arguments)                                                                           \
-    int MPI_##name parameters { return PMPI_##name arguments; }
+    int MPI_##name parameters                                                                                          \
+    {                                                                                                                  \
+        return PMPI_##name arguments;                                                                                  \
+    }
 
 // Communicators (VTK duplicates the world, LIGGGHTS splits it and lays a Cartesian grid over it)
 FORWARD(Comm_size, (MPI_Comm comm, int* size), (ours(comm), size))
@@ -72,8 +77,7 @@ FORWARD(Comm_dup, (MPI_Comm comm, MPI_Comm* made), (ours(comm), made))
 FORWARD(Comm_split, (MPI_Comm comm, int colour, int key, MPI_Comm* made), (ours(comm), colour, key, made))
 FORWARD(Comm_compare, (MPI_Comm a, MPI_Comm b, int* result), (ours(a), ours(b), result))
 FORWARD(Comm_set_errhandler, (MPI_Comm comm, MPI_Errhandler handler), (ours(comm), handler))
-FORWARD(Cart_create,
-        (MPI_Comm comm, int dims, const int sizes[], const int periods[], int reorder, MPI_Comm* made),
+FORWARD(Cart_create, (MPI_Comm comm, int dims, const int sizes[], const int periods[], int reorder, MPI_Comm* made),
         (ours(comm), dims, sizes, periods, reorder, made))
 
 // Collectives

@@ -9,7 +9,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 int rank, size;
 
@@ -23,7 +24,10 @@ std::vector<std::int64_t> touchedBy(int r, const CoarseGrid& grid)
     return ids;
 }
 
-double valueOn(int r, std::int64_t id) { return 1.0 / (3 + r) + 0.37 * double(id); }
+double valueOn(int r, std::int64_t id)
+{
+    return 1.0 / (3 + r) + 0.37 * double(id);
+}
 
 /// What accumulate must give: the owner's value, then the copies', in rank order.
 double sumOverRanks(const CoarseGrid& grid, std::int64_t id)

@@ -11,7 +11,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 double fraction(std::int64_t seed, std::int64_t salt)
 {
@@ -65,7 +66,13 @@ int main(int argc, char** argv)
 
     std::vector<ParticleReply> replies;
     for (int step = 0; step < steps; ++step) {
-        const StepOrder order = link.swap({step * 1e-3, 0, {}, particles, 0, });
+        const StepOrder order = link.swap({
+            step * 1e-3,
+            0,
+            {},
+            particles,
+            0,
+        });
         if (order.finish) {
             break;
         }

@@ -1,9 +1,9 @@
 /// A stand-in for frazilFoam: a uniform flow over the whole coarse grid.
 ///
 /// With `echo=1` (partner: toy_dem) each reply repeats what came in, so that the partner can check that it is its own.
-/// Else every particle gets drag K (times its exposure) towards `u`, added mass `ma` with fluid acceleration `dudt`, and the passive force
-/// `passive`, all along x; the impulse that the particles report is summed up and printed at the end.
-/// fails=exit|finalize|abort|throw|hang at=STEP: how it leaves early. quiet ends: steps, or the partner's end.
+/// Else every particle gets drag K (times its exposure) towards `u`, added mass `ma` with fluid acceleration `dudt`,
+/// and the passive force `passive`, all along x; the impulse that the particles report is summed up and printed at the
+/// end. fails=exit|finalize|abort|throw|hang at=STEP: how it leaves early. quiet ends: steps, or the partner's end.
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -15,7 +15,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 FoamHello greeting(const ToyArguments& arguments)
 {
@@ -137,7 +138,8 @@ int main(int argc, char** argv)
     int rank;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     if (rank == 0) {
-        std::printf("toy_foam ends at %.9g, impulse of the records %.15g, of the reports %.15g\n", time, total.x, reported.x);
+        std::printf("toy_foam ends at %.9g, impulse of the records %.15g, of the reports %.15g\n", time, total.x,
+                    reported.x);
     }
     MPI_Finalize();
 }

@@ -1,0 +1,208 @@
+/* fix couple/foam: the handshake and the exchange, i.e. what travels between the programs. */
+
+#include "fix_couple_foam.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "atom.h"
+#include "coupled_body.h"
+#include "coupling_history.h"
+#include "domain.h"
+#include "fix_gravity.h"
+#include "group.h"
+#include "modify.h"
+#include "update.h"
+#include "write_restart.h"
+
+using namespace LAMMPS_NS;
+using frazil::Vec3;
+
+namespace {
+
+Vec3 vec(const double *a) { return {a[0], a[1], a[2]}; }
+
+}
+
+/* ---------------------------------------------------------------------- */
+
+void FixCoupleFoam::startCoupling()
+{
+  startWall_ = MPI_Wtime();
+  dt_ = update->dt;
+  const frazil::FoamHello foam = link_->handshake(hello());
+  grid_.reset(new frazil::CoarseGrid(foam.coarse, foam.cellSize, int(foam.ranks), foam.gravity));
+  if (!historyFile_.empty())
+    history_.reset(new CouplingHistory(lmp, historyFile_, fragmentEvery_, restartTime_));
+  say("couple/foam: coupled with frazilFoam on " + std::to_string(foam.ranks) + " rank(s), coarse grid " +
+      std::to_string(grid_->cells()[0]) + " x " + std::to_string(grid_->cells()[1]) + " x " +
+      std::to_string(grid_->cells()[2]) + " cells\n");
+}
+
+/* ----------------------------------------------------------------------
+   collective: equal on all ranks
+------------------------------------------------------------------------- */
+
+frazil::DemHello FixCoupleFoam::hello()
+{
+  frazil::DemHello h;
+  h.units = update->unit_style;
+  if (Fix *gravity = modify->find_fix_style_strict("gravity", 0))
+    static_cast<FixGravity *>(gravity)->get_gravity(&h.gravity.x);
+  h.startTime = update->ntimestep * dt_;
+  h.endTime = update->endstep * dt_;
+  h.deltaT = dt_;
+  h.fluidTime = restartTime_;
+  h.box = {vec(domain->boxlo), vec(domain->boxhi)};
+
+  // lower corner, negated upper corner, negated largest radius
+  double low[7] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, 0}, lowest[7];
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    for (int d = 0; d < 3; d++) {
+      low[d] = std::fmin(low[d], atom->x[i][d]);
+      low[3 + d] = std::fmin(low[3 + d], -atom->x[i][d]);
+    }
+    low[6] = std::fmin(low[6], -atom->radius[i]);
+  }
+  MPI_Allreduce(low, lowest, 7, MPI_DOUBLE, MPI_MIN, world);
+  h.reach = {vec(lowest), -vec(lowest + 3)};
+  h.largestRadius = -lowest[6];
+  h.particles = std::int64_t(group->count(igroup));
+  for (const CoupledBody *body : bodies_) {
+    const frazil::BodyState state = body->bodyState();
+    h.bodies.push_back({state.name, state.volume});
+  }
+  return h;
+}
+
+/* ----------------------------------------------------------------------
+   one exchange, at the end of a DEM step that reaches the fluid's time
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::exchange()
+{
+  const double start = MPI_Wtime();
+  const frazil::StepOrder order = link_->swap(report());
+  checkClock(order);
+  order_ = order;
+  exchangeStep_ = update->ntimestep;
+  if (order.written && !restartFile_.empty()) {
+    // before the impulses are handed over: a continued fluid has not seen them either
+    std::string file = restartFile_;
+    const size_t star = file.find('*');
+    if (star != std::string::npos) file.replace(star, 1, std::to_string(update->ntimestep));
+    WriteRestart(lmp).write(&file[0]);
+  }
+  if (!order.finish) {
+    gatherRecords();
+    link_->sendParticles(records_, *grid_);
+    sendBodies();
+    takeReplies();
+    takeBodyLoads();
+  }
+  exchangeWall_ += MPI_Wtime() - start;
+  if (history_) history_->write(order_, MPI_Wtime() - startWall_, link_->waited());
+  if (order.finish) endRun();
+}
+
+frazil::StepReport FixCoupleFoam::report()
+{
+  const double pi = 3.14159265358979323846;
+  double mine[5] = {0, impulse_.x, impulse_.y, impulse_.z, 0}, sum[5];
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double r = atom->radius[i];
+    mine[0] += 4.0 / 3.0 * pi * r * r * r;
+    mine[4] += 1;
+  }
+  MPI_Allreduce(mine, sum, 5, MPI_DOUBLE, MPI_SUM, world);
+  frazil::StepReport r;
+  r.time = update->ntimestep * dt_;
+  r.solidVolume = sum[0];
+  r.impulse = vec(sum + 1);
+  r.particles = std::int64_t(sum[4]);
+  return r;
+}
+
+/* ----------------------------------------------------------------------
+   both count the same steps; a drift would be a fault of one of the programs
+------------------------------------------------------------------------- */
+
+void FixCoupleFoam::checkClock(const frazil::StepOrder &order)
+{
+  const double expected = exchangeStep_ < 0 ? order.time : order_.time + order_.substeps * dt_;
+  if (std::fabs(order.time - expected) > 0.5 * dt_)
+    throw std::runtime_error("frazilFoam stands at " + std::to_string(order.time) + " s, frazilDem at " +
+                             std::to_string(expected) + " s of fluid time. The fluid's step must be a whole number of " +
+                             "DEM steps");
+  if (!order.finish && order.substeps < 1)
+    throw std::runtime_error("frazilFoam ordered a step of " + std::to_string(order.substeps) + " DEM steps");
+}
+
+/* ----------------------------------------------------------------------
+   beyond a fixed boundary: LIGGGHTS deletes the particle at its next neighbour list
+------------------------------------------------------------------------- */
+
+bool FixCoupleFoam::leftBox(const double *x) const
+{
+  for (int d = 0; d < 3; d++) {
+    if (domain->boundary[d][0] == 1 && x[d] < domain->boxlo[d]) return true;
+    if (domain->boundary[d][1] == 1 && x[d] > domain->boxhi[d]) return true;
+  }
+  return false;
+}
+
+void FixCoupleFoam::gatherRecords()
+{
+  records_.clear();
+  recordOf_.clear();
+  const int *mask = atom->mask;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    if (leftBox(atom->x[i])) {
+      carried_[i] = Carried();
+      continue;
+    }
+    // between two neighbour lists a particle may stick out of a periodic box
+    double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+    domain->remap(x);
+    frazil::ParticleRecord r;
+    r.id = atom->tag[i];
+    r.position = vec(x);
+    r.velocity = vec(atom->v[i]);
+    r.angularVelocity = vec(atom->omega[i]);
+    r.impulse = carried_[i].impulse;
+    r.radius = atom->radius[i];
+    if (shielding_) {
+      const double *bonds = shielding_->array_atom[i];  // intact, initial
+      r.exposure = bonds[1] > 0 ? 1 - bonds[0] / bonds[1] : 1;
+    }
+    records_.push_back(r);
+    recordOf_.push_back(i);
+    carried_[i].impulse = Vec3();
+  }
+  impulse_ = Vec3();
+}
+
+void FixCoupleFoam::takeReplies()
+{
+  link_->receiveReplies(replies_);
+  for (size_t k = 0; k < replies_.size(); k++) carried_[recordOf_[k]].fluid = replies_[k];
+}
+
+void FixCoupleFoam::sendBodies()
+{
+  std::vector<frazil::BodyState> states;
+  for (const CoupledBody *body : bodies_) states.push_back(body->bodyState());
+  link_->sendBodies(states);
+}
+
+void FixCoupleFoam::takeBodyLoads()
+{
+  const std::vector<frazil::BodyLoad> loads = link_->receiveBodyLoads();
+  if (loads.size() != bodies_.size())
+    throw std::runtime_error("frazilFoam sent the loads of " + std::to_string(loads.size()) + " bodies, not of " +
+                             std::to_string(bodies_.size()));
+  for (size_t b = 0; b < bodies_.size(); b++) bodies_[b]->setFluidLoad(loads[b]);
+}
