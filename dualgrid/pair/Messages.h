@@ -29,9 +29,8 @@ struct StepOrder {
     double deltaT = 0;         ///< fluid time step [s], substeps × DEM time step
     std::int64_t substeps = 0; ///< DEM steps in it
     std::int64_t finish = 0;   ///< 1: the fluid has reached its end, no step follows
-    std::int64_t written =
-        0;             ///< 1: the fluid has written its fields at `time`, so that frazilDem writes a restart file
-    double waited = 0; ///< wall time that frazilFoam has waited for frazilDem so far [s]
+    std::int64_t written = 0;  ///< 1: fields were written at `time`, so frazilDem writes a restart file
+    double waited = 0;         ///< wall time that frazilFoam has waited for frazilDem so far [s]
 };
 
 /// frazilDem's report at the start of a fluid step.
