@@ -341,6 +341,15 @@ scalar openVolume::mean(const volScalarField& vf) const
 }
 
 
+void openVolume::reportWater(const volScalarField& alpha) const
+{
+    if (active())
+    {
+        Info<< "Water volume = " << gSum(end_().primitiveField()*alpha.primitiveField()*mesh_.V()) << endl;
+    }
+}
+
+
 tmp<volScalarField> openVolume::inCells(const volScalarField& vf) const
 {
     return active() ? max(end_(), divisiblePressure)*vf : tmp<volScalarField>(vf);
@@ -465,10 +474,9 @@ void openVolume::addSweptVolume
 
 
 template<class Type>
-void openVolume::extend(GeometricField<Type, fvPatchField, volMesh>& vf) const
+void openVolume::extend(GeometricField<Type, fvPatchField, volMesh>& vf, const scalarField& closed) const
 {
     const volVectorField& normal = bodies_->normal();
-    const scalarField& closed = solid_();
 
     for (label sweep = 0; sweep < nExtensionLayers; ++sweep)
     {
@@ -521,8 +529,23 @@ void openVolume::extendIntoBodies(volScalarField& vf) const
 {
     if (active() && bodies_)
     {
-        extend(vf);
+        extend(vf, closedAtEnd());
     }
+}
+
+
+void openVolume::extendPressure(volScalarField& p_rgh) const
+{
+    if (active() && bodies_)
+    {
+        extend(p_rgh, solid_());
+    }
+}
+
+
+tmp<scalarField> openVolume::closedAtEnd() const
+{
+    return neg(end_().primitiveField() - divisible);
 }
 
 
@@ -532,7 +555,7 @@ void openVolume::blendWithBodies(volVectorField& U, const volScalarField& rho)
     {
         return;
     }
-    extend(U);
+    extend(U, closedAtEnd());
 
     // 0 where half of the cell is open, 1 where less than a tenth is
     const volScalarField weight(min(max((0.5 - (1.0 - bodies_->gamma()))/0.4, scalar(0)), scalar(1)));

@@ -102,7 +102,7 @@ solvers
         MULESCorr yes; nLimiterIter 5;
         solver smoothSolver; smoother symGaussSeidel; tolerance 1e-13; relTol 0;
     }
-    "pcorr.*" { solver PCG; preconditioner DIC; tolerance 1e-7; relTol 0.001; maxIter 500; }
+    "pcorr.*" { solver PCG; preconditioner DIC; tolerance 1e-10; relTol 1e-5; maxIter 500; }
     "p_rgh.*" { solver PCG; preconditioner DIC; tolerance 1e-7; relTol 0.001; maxIter 500; }
     "U.*" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-9; relTol 0; }
 }
