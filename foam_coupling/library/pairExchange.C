@@ -173,6 +173,7 @@ frazil::StepOrder Foam::pairExchange::order(const scalar deltaT)
     order.substeps =
         std::int64_t(std::min(std::max(1.0, fitting), untilEnd));
     order.deltaT = order.substeps*demDeltaT_;
+    order.written = time.writeTime();
     order.waited = link_.waited();
     return order;
 }
@@ -219,7 +220,8 @@ Foam::pairExchange::pairExchange
         gravity
     ),
     step_(settings, grid_, water, air, frazil::World::instance().own()),
-    link_()
+    link_(),
+    startTime_(wallTime())
 {
     const scalar watchdog = settings.positive("watchdog", 600);
     settings.finish();
@@ -310,7 +312,7 @@ void Foam::pairExchange::finish()
     }
 
     const frazil::PhaseTimer& timer = step_.timer();
-    const double total = mesh_.time().elapsedClockTime() + SMALL;
+    const double total = wallTime() - startTime_;
     Info<< nl << "Coupling, wall time on the first fluid rank [s] and share of "
         << "the run [%]" << nl;
     for (int phase = 0; phase < frazil::PhaseTimer::phases; ++phase)
