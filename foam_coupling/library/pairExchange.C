@@ -5,7 +5,8 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
+#include <stdexcept>
+#include <string>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -161,6 +162,16 @@ frazil::StepOrder Foam::pairExchange::order(const scalar deltaT)
 
     // A hair more than whole, so that 10.0 DEM steps do not become 9
     const double fitting = std::floor(deltaT/demDeltaT_*(1 + 1e-9));
+    if (deltaT < 1e-3*demDeltaT_)
+    {
+        throw std::runtime_error
+        (
+            "the fluid diverges: at fluid time " + std::to_string(time.value())
+          + " s the Courant number allows less than a thousandth of the DEM "
+            "time step. Look at the last fields written; reduce maxCo or "
+            "maxDeltaT in system/controlDict, or refine the mesh"
+        );
+    }
     const double untilEnd = std::max(1.0, std::round(left/demDeltaT_));
 
     if (fitting < 1)

@@ -1,6 +1,8 @@
 #include "openVolume.H"
 #include "immersedBodies.H"
+#include "gaussConvectionScheme.H"
 #include "pimpleControl.H"
+#include "upwind.H"
 #include "fixedValueFvPatchFields.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -426,6 +428,22 @@ void openVolume::closeFaces(surfaceScalarField& phiHbyA, const surfaceScalarFiel
 tmp<surfaceScalarField> openVolume::faceCoefficient(const surfaceScalarField& rAUf) const
 {
     return active() ? (faces_() + merged_())*rAUf : tmp<surfaceScalarField>(rAUf);
+}
+
+
+tmp<fvVectorMatrix> openVolume::convection(const surfaceScalarField& rhoPhi, const volVectorField& U) const
+{
+    const word name("div(rhoPhi,U)");
+    if (!active() || !bodies_)
+    {
+        return fvm::div(rhoPhi, U, name);
+    }
+
+    const surfaceScalarField cut(pos(faceMax(max(bodies_->gamma(), bodies_->gamma().oldTime())) - SMALL));
+    const surfaceScalarField cutFlux(cut*rhoPhi);
+    return
+        fvm::div((rhoPhi - cutFlux)(), U, name)
+      + fv::gaussConvectionScheme<vector>(mesh_, cutFlux, upwind<vector>(mesh_, cutFlux)).fvmDiv(cutFlux, U);
 }
 
 
