@@ -38,8 +38,6 @@ StepReport FoamLink::swap(const StepOrder& order)
 
 const ParticleInbox& FoamLink::receiveParticles()
 {
-    // the replies of the exchange before have left outgoing_
-    waitForAll("take the forces on its particles", requests_);
     records_.clear();
     senders_.clear();
     const int tag = Link::particleTag + parity_;
@@ -88,6 +86,9 @@ void FoamLink::sendReplies(const std::vector<ParticleReply>& replies)
         MPI_Isend(outgoing_.data() + sender.first, int(sender.count * sizeof(ParticleReply)), MPI_BYTE, sender.rank,
                   replyTag, world_.all(), &requests_.back());
     }
+    // A large message moves only while its sender is inside MPI: left on its own, it would reach the partner after
+    // the fluid's whole step, and the two programs would take turns.
+    waitForAll("take the forces on its particles", requests_);
 }
 
 void FoamLink::finish(double time)
@@ -99,7 +100,6 @@ void FoamLink::finish(double time)
         order.waited = waited();
         swap(order);
     }
-    waitForAll("take the forces on its particles", requests_);
 }
 
 } // namespace frazil
