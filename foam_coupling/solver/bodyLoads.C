@@ -9,10 +9,37 @@ namespace Foam
 namespace
 {
 
-//- Σ p_f S_f over a cell's faces, outward [N], and Σ (x_f - c) x p_f S_f [N m]
+//- Value of a face [-], or of the pressure there; zero on empty patches
+scalar faceValue(const surfaceScalarField& sf, const label facei)
+{
+    const fvMesh& mesh = sf.mesh();
+    if (mesh.isInternalFace(facei))
+    {
+        return sf[facei];
+    }
+    const label patchi = mesh.boundaryMesh().whichPatch(facei);
+    const fvsPatchScalarField& patch = sf.boundaryField()[patchi];
+    return patch.empty() ? 0 : patch[facei - mesh.boundaryMesh()[patchi].start()];
+}
+
+
+//- Does a body touch the cell or one of its faces over the step?
+bool touched(const immersedBodies& bodies, const label celli)
+{
+    bool open = bodies.gamma()[celli] <= 0;
+    for (const label facei : bodies.gamma().mesh().cells()[celli])
+    {
+        open = open && faceValue(bodies.theta(), facei) >= 1;
+    }
+    return !open;
+}
+
+
+//- What the pressure around a cell gives to the fluid and the fluid does not take, (1 - γ) V ∇p - Σ p_f S_f [N]
 void pressureOn
 (
     const surfaceScalarField& pf,
+    const vector& fluidShare,
     const label celli,
     const point& centre,
     vector& force,
@@ -20,23 +47,15 @@ void pressureOn
 )
 {
     const fvMesh& mesh = pf.mesh();
+    force += fluidShare;
+    torque += (mesh.C()[celli] - centre) ^ fluidShare;
+
     for (const label facei : mesh.cells()[celli])
     {
-        scalar p = 0;
-        if (mesh.isInternalFace(facei))
-        {
-            p = pf[facei];
-        }
-        else
-        {
-            const label patchi = mesh.boundaryMesh().whichPatch(facei);
-            const fvsPatchScalarField& patchPf = pf.boundaryField()[patchi];
-            p = patchPf.empty() ? 0 : patchPf[facei - mesh.boundaryMesh()[patchi].start()];
-        }
         const scalar sign = mesh.faceOwner()[facei] == celli ? 1 : -1;
-        const vector f(sign*p*mesh.faceAreas()[facei]);
-        force += f;
-        torque += (mesh.faceCentres()[facei] - centre) ^ f;
+        const vector f(sign*faceValue(pf, facei)*mesh.faceAreas()[facei]);
+        force -= f;
+        torque -= (mesh.faceCentres()[facei] - centre) ^ f;
     }
 }
 
@@ -47,6 +66,7 @@ std::vector<frazil::BodyLoad> bodyLoads
 (
     const immersedBodies& bodies,
     const volScalarField& p,
+    const volVectorField& gradP,
     const volVectorField& blending,
     const volVectorField& viscous,
     const volScalarField& alpha1,
@@ -69,24 +89,19 @@ std::vector<frazil::BodyLoad> bodyLoads
             const label celli = cut.cells[i];
             const scalar V = mesh.V()[celli];
 
-            if (cut.share[i] > 0)
+            if (bodies.bodyOf()[celli] != bodyi || !touched(bodies, celli))
             {
-                vector cellForce(Zero);
-                vector cellTorque(Zero);
-                pressureOn(pf, celli, centre, cellForce, cellTorque);
-                force -= cut.share[i]*cellForce;
-                torque -= cut.share[i]*cellTorque;
+                continue;
             }
-            if (bodies.bodyOf()[celli] == bodyi)
+            pressureOn(pf, (1 - bodies.gamma()[celli])*V*gradP[celli], celli, centre, force, torque);
+
+            vector other(-V*blending[celli]);
+            if (!bodies.slip(bodyi))
             {
-                vector other(-V*blending[celli]);
-                if (!bodies.slip(bodyi))
-                {
-                    other += cut.share[i]*V*viscous[celli];
-                }
-                force += other;
-                torque += (mesh.C()[celli] - centre) ^ other;
+                other += cut.share[i]*V*viscous[celli];
             }
+            force += other;
+            torque += (mesh.C()[celli] - centre) ^ other;
         }
 
         reduce(force, sumOp<vector>());

@@ -83,6 +83,7 @@ void openVolume::setFaces()
     {
         solid_() == neg(max(start_(), end_()) - divisible);
         faces_() *= bodies_->theta()*(1.0 - faceMax(solid_()));
+        small_() == neg(min(start_(), end_()) - smallCell*(*fluidFraction_));
         mergeSmallCells();
     }
 }
@@ -168,6 +169,7 @@ void openVolume::use
     start_ = cellField("epsilonStart", mesh_, one);
     end_ = cellField("epsilonEnd", mesh_, one);
     solid_ = cellField("solid", mesh_, dimensionedScalar(dimless, Zero));
+    small_ = cellField("small", mesh_, dimensionedScalar(dimless, Zero));
     anchor_ = cellField("anchor", mesh_, dimensionedVector(dimVelocity, Zero));
     blending_ = cellField("blending", mesh_, dimensionedVector(dimForce/dimVolume, Zero));
     faces_.reset(new surfaceScalarField("openFaces", fvc::interpolate(one*end_())));
@@ -401,6 +403,12 @@ tmp<volVectorField> openVolume::reconstruct(const tmp<surfaceScalarField>& tssf)
 tmp<surfaceScalarField> openVolume::throughFaces(const tmp<surfaceScalarField>& tssf) const
 {
     return active() ? faces_()*tssf : tssf;
+}
+
+
+tmp<surfaceScalarField> openVolume::betweenLargeCells(const tmp<surfaceScalarField>& tssf) const
+{
+    return active() && bodies_ ? (1.0 - faceMax(small_()))*tssf : tssf;
 }
 
 
