@@ -21,14 +21,14 @@ namespace frazil
 class BondTable
 {
 public:
-    /// Columns of the state, in the order in which they travel with the particles.
+    /// Columns of the state (units: BondState), in the order in which they travel with the particles.
     enum StateColumn { separation = 0, shear = 3, bending = 6, torsion = 9, stateColumns = 10 };
 
     std::vector<int> id1, id2;         ///< id1 < id2
     std::vector<int> at1, at2;         ///< local indices to read positions from (the closest image)
     std::vector<int> target1, target2; ///< local indices to add forces to; owned below the number of owned spheres
     std::array<std::vector<double>, stateColumns> state;
-    std::vector<double> restLength, radius, share, strength;
+    std::vector<double> restLength, radius, share, strength; ///< [m], [m], [-], [-]
     std::vector<double> reducedMass, reducedInertia; ///< [kg], [kg m2]
 
     std::size_t size() const { return id1.size(); }
@@ -74,7 +74,7 @@ private:
 /// One sphere's end of a bond.
 struct BondHalf {
     int partner; ///< id of the other sphere
-    double restLength;
+    double restLength; ///< [m]
     std::array<double, BondTable::stateColumns> state;
     static constexpr int words = 2 + BondTable::stateColumns; ///< doubles in a message or restart record
 };

@@ -35,13 +35,13 @@ class CoarseGrid
 
     const CellIndex& cells() const { return n_; }
     std::int64_t cellCount() const { return std::int64_t(n_[0]) * n_[1] * n_[2]; }
-    double cellSize() const { return h_; }
-    double cellVolume() const { return h_ * h_ * h_; }
-    const Box& box() const { return box_; }
+    double cellSize() const { return h_; }             ///< [m]
+    double cellVolume() const { return h_ * h_ * h_; } ///< [m3]
+    const Box& box() const { return box_; }            ///< [m]
     int owners() const { return blocks_[0] * blocks_[1] * blocks_[2]; }
 
     bool contains(const Vec3& p) const { return box_.contains(p); }
-    /// Cell that holds p; on a face shared by two cells the upper one; -1 outside of the grid.
+    /// Cell that holds p [m]; on a face shared by two cells the upper one; -1 outside of the grid.
     std::int64_t cellOf(const Vec3& p) const;
     CellIndex index(std::int64_t id) const
     {
@@ -55,8 +55,8 @@ class CoarseGrid
     {
         return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < n_[0] && c[1] < n_[1] && c[2] < n_[2];
     }
-    Vec3 centre(std::int64_t id) const;
-    Box cellBox(const CellIndex& c) const;
+    Vec3 centre(std::int64_t id) const;    ///< [m]
+    Box cellBox(const CellIndex& c) const; ///< [m]
 
     int ownerOf(std::int64_t id) const { return ownerOf(index(id)); }
     int ownerOf(const CellIndex& c) const;

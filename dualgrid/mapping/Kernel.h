@@ -18,7 +18,7 @@ struct Stencil {
     double weight[8]; ///< [-], sum 1
 };
 
-/// @param p  a point in a cell that this rank owns
+/// @param p  a point in a cell that this rank owns [m]
 Stencil stencilOf(const LocalCells& cells, const Vec3& p);
 
 /// Scales the weights by `importance` (>= 0) of their cells and normalises them again, so that nothing is sent to, or

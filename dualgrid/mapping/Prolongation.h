@@ -1,7 +1,7 @@
 /// Coarse grid -> fine mesh: inverse distance from the coarse nodes (2.25, 2.23), made conservative and bounded.
 ///
-///   node:        φ_n = mean of φ_c over the cells that share the node and hold fluid              (2.25, equal
-///   distances) part:        r_p = Σ_8 w φ_n / Σ w,  w = 1/|x_p - x_n|^exponent;  on a node: φ_n               (2.23)
+///   node:        φ_n = mean of φ_c over the cells that share the node and hold fluid    (2.25, equal distances)
+///   part:        r_p = Σ_8 w φ_n / Σ w,  w = 1/|x_p - x_n|^exponent;  on a node: φ_n    (2.23)
 ///   correction:  φ_p = φ_c + ψ_c (r_p - r_c),  r_c = Σ r_p W_p / Σ W_p over the parts of the coarse cell
 ///
 /// Inverse distance alone does not conserve. With r_c taken out, Σ φ_p W_p = φ_c Σ W_p holds in every coarse cell to
@@ -29,7 +29,7 @@ struct ProlongationSettings {
     bool limitToCells = true; ///< keep values within the range of the cells around
 };
 
-/// Weights of the eight corners (x fastest) of a coarse cell for a point in it, sum 1.
+/// Weights [-] of the eight corners (x fastest) of a coarse cell for a point [m] in it, sum 1.
 std::array<double, 8> cornerWeights(const Vec3& point, const Box& cell, double exponent);
 
 /// T: double or Vec3 (each component by itself).
@@ -41,7 +41,7 @@ template <class T> class Prolongation
     /// First half: r_p, and this rank's share of Σ r_p W_p.
     /// @param value    φ_c, ghosts up to date
     /// @param weight   Σ W_p of the whole coarse cell, ghosts up to date; 0 where the cell holds nothing
-    /// @param density  W per volume in each fine cell (open fraction, or ρ ε)
+    /// @param density  W per volume in each fine cell (open fraction [-], or ρ ε [kg/m3])
     /// @param moment   out: Σ r_p W_p, to be completed over the halo
     void shape(const FineParts& parts, const LocalCells& cells, const CoarseField<T>& value,
                const CoarseField<double>& weight, const double* density, CoarseField<T>& moment);

@@ -5,7 +5,7 @@
 /// with ε = αf (1-γ), so particles and bodies carry no weight. A fluid at rest has ∇p = ρ g in every fine cell, hence
 /// exactly ρ_c g here: same weights for ρ and ∇p. Linear fields come out exact (value at the fluid's centroid).
 /// Cost: one pass over the parts, 22 additions each. Parallel: partial sums per rank, then accumulate + update of the
-/// halo (the caller does it), and finish() on every stored cell.
+/// halo (the caller does it), finishAverages() on the owned cells in between.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ struct CoarseFluid {
     double openVolume = 0;  ///< Σ (1-γ) V of the fine parts in the cell [m3]
     double fluidVolume = 0; ///< Σ ε V [m3]
     double fluidMass = 0;   ///< Σ ρ ε V [kg]
-    double wetFraction = 0; ///< α1 [-]; here and below: sums while restricting, averages after finish()
+    double wetFraction = 0; ///< α1 [-]; here and below: sums while restricting, then averages
     Vec3 velocity;          ///< [m/s]
     Vec3 pressureGradient;  ///< [Pa/m]
     Vec3 viscousForce;      ///< [N/m3]

@@ -1,9 +1,9 @@
 /// Who sends what to whom for the ghost cells of one communicator. Built once, used for any field on the same cells.
 ///
 ///   update      owner -> ghosts: every copy gets the owner's value
-///   accumulate  ghosts -> owner: the owner adds the copies' contributions, in rank order, so the sum does not depend
-///   on
-///               the arrival of messages; the ghosts keep theirs. Adjoint of update.
+///   accumulate  ghosts -> owner: the owner adds the copies' contributions in rank order, so that the sum does not
+///               depend on the arrival of messages;
+///               the ghosts keep theirs. Adjoint of update.
 ///
 /// Values lie as in LocalCells: owned first, ghosts after, in the order of the lists given here.
 /// Cost: one message per neighbour; building asks each owner once (sparse exchange, DemLink.h). No allocation in use

@@ -43,7 +43,7 @@ struct FoamHello {
     double startTime = 0;   ///< [s]
     double endTime = 0;     ///< controlDict endTime [s]
     Box mesh;               ///< bounding box of the fluid mesh [m]
-    Box coarse;             ///< coarseGrid min max as given [m]
+    Box coarse;             ///< coarseGrid min max, in whole cells [m]
     double cellSize = 0;    ///< coarseGrid cellSize [m]
     std::int64_t ranks = 1; ///< owners of the coarse grid; filled in by FoamLink
     double watchdog = 600;  ///< couplingProperties watchdog [s]

@@ -40,7 +40,7 @@ class Link
 
     /// First rank to the partner's first rank; nothing on the others. The bytes are kept until they are under way.
     void send(Tag tag, std::vector<char> bytes);
-    /// From the partner's first rank, to all own ranks. `what` completes "frazilDem waits for frazilFoam to ...".
+    /// From the partner's first rank, to all own ranks. `what` as for Patience::until.
     std::vector<char> receive(Tag tag, const char* what);
 
     template <class T> void sendList(Tag tag, const std::vector<T>& list)

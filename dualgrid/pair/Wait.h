@@ -2,7 +2,7 @@
 ///
 /// Open MPI's blocking calls spin, which starves the partner when both share a core, and they say nothing when the
 /// partner is stuck. Here a wait is a loop of MPI_Test with a back-off from yielding to sleeps of at most 0.2 ms, and
-/// a watchdog that ends the pair with the words "<who> waits for <what>" after the set time.
+/// a watchdog that ends the pair after the set time, saying who has waited for whom to do what.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ class Patience
     void setLimit(double seconds) { limit_ = seconds; }
     double limit() const { return limit_; }
 
-    /// Returns when done() does. `what` completes the sentence "frazilDem waits for ...".
+    /// Returns when done() does. `what` completes "... has waited 600 s for frazilFoam to".
     void until(const char* what, const std::function<bool()>& done);
     void forRequest(const char* what, MPI_Request& request, MPI_Status* status = MPI_STATUS_IGNORE);
 

@@ -42,8 +42,8 @@ class SnapshotFile
     /// @param path  of the HDF5 file, e.g. results.h5; the XDMF file is results.xdmf
     SnapshotFile(std::string path, MPI_Comm comm, Mode mode = Mode::create);
 
-    void begin(std::int64_t step, double time);
-    /// This rank's particles.
+    void begin(std::int64_t step, double time); ///< time [s]
+    /// This rank's particles; position [m].
     void particles(const std::string& series, const std::vector<std::int64_t>& ids, const Vec3* position,
                    const std::vector<SnapshotArray>& arrays);
     /// This rank's bonds between particles of the particles() before, each on one rank. A bond whose end is not among

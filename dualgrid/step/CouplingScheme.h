@@ -30,7 +30,7 @@ struct FineSource {
 struct CouplingSettings {
     ProlongationSettings prolongation;
     double smallestFluidFraction = 0.25; ///< αf never falls below [-]
-    bool momentumExchange = true;        ///< off: the fluid does not feel the particles' drag
+    bool momentumExchange = true;        ///< off: the fluid does not feel drag and added mass
 };
 
 class CouplingScheme
@@ -49,9 +49,9 @@ class CouplingScheme
                            std::vector<Interaction>& replies, FineSource& source) = 0;
 
     LocalCells cells;
-    CoarseField<double> solidVolume;
+    CoarseField<double> solidVolume; ///< [m3]
     CoarseField<CoarseFluid> fluid;
-    CoarseField<Vec3> impulse;
+    CoarseField<Vec3> impulse; ///< on the particles [N s]
     PhaseTimer timer;
 
   protected:

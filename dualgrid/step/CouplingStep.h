@@ -8,7 +8,7 @@
 /// Momentum: the particles report the drag and added-mass impulse that they really received since the last exchange;
 /// the fluid gets exactly the opposite during its next step, one step late, with no estimate (physics: model A,
 /// S = -Σ (fd + fa)/V).
-/// Cost: O(particles x 8 + fine cells), four small halo exchanges and one Allreduce of a few numbers. Buffers only
+/// Cost: O(particles x 8 + fine cells), eleven small halo exchanges, one Allreduce of 24 numbers. Buffers only
 /// grow. Parallel: one object per fluid rank, every call is collective over the communicator. For one number of ranks
 /// the result does not depend on how the particles came in; between numbers of ranks it differs by round-off only.
 #pragma once
@@ -58,7 +58,7 @@ class CouplingStep
     Ledger advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
                    std::vector<Interaction>& replies, FineSource& source);
 
-    // Coarse fields of the last advance(), for output; the first ownedCount() entries are this rank's own cells.
+    // Coarse fields of the last advance(), for output; ownedCount() own cells come first. dualGrid off: no fluid().
     const LocalCells& cells() const { return scheme_->cells; }
     /// Σ V_p in the cell, what was clipped excluded [m3]
     const CoarseField<double>& solidVolume() const { return scheme_->solidVolume; }

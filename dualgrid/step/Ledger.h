@@ -33,7 +33,7 @@ struct Ledger {
     std::int64_t particles = 0;
     std::int64_t dryParticles = 0; ///< with no fluid in their whole stencil: they feel nothing
     std::int64_t limitedDrags = 0; ///< particles whose drag coefficient was limited (DualGridScheme.h)
-    std::int64_t clippedCells = 0; ///< coarse cells with clipped volume
+    std::int64_t clippedCells = 0; ///< coarse cells (dualGrid off: fine cells) with clipped volume
 
     /// Adds what the fine mesh of this rank got: αs, and the force [N] over the coming step.
     void addFine(const FineFlow& flow, const std::vector<double>& solidFraction, const std::vector<Vec3>& force,
@@ -46,7 +46,7 @@ struct Ledger {
     double impulseErrorCoarse() const; ///< |coarse - received - carriedIn| / scale
     double impulseErrorFine() const;   ///< |given + unplaced - coarse| / scale
 
-    /// Header and line of ledger.csv, without line end.
+    /// Header and line of ledger.csv, without line end; time [s]. Columns: couplingProperties.md.
     static std::string csvHeader();
     std::string csvLine(double time) const;
 };
