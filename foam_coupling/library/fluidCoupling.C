@@ -113,6 +113,7 @@ Foam::fluidCoupling::fluidCoupling
     }
 
     const frazil::Settings settings(couplingSettings(couplingProperties));
+    settings.has("bodies");  // read above; known, for the message on others
     if (settings.flag("coupling", true))
     {
         exchange_.reset

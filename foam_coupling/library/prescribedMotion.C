@@ -1,4 +1,5 @@
 #include "prescribedMotion.H"
+#include "couplingSettings.H"
 #include "quaternion.H"
 #include "vector.H"
 
@@ -6,12 +7,6 @@
 
 namespace
 {
-
-frazil::Vec3 vec3(const Foam::vector& v)
-{
-    return {v.x(), v.y(), v.z()};
-}
-
 
 //- Orientation q after turning with omega [rad/s] for deltaT [s]
 void turn(double (&q)[4], const frazil::Vec3& omega, const Foam::scalar deltaT)
@@ -51,12 +46,17 @@ Foam::prescribedMotion::prescribedMotion
 {
     for (frazil::BodyState& body : states_)
     {
-        const dictionary motion
+        const frazil::Settings motion
         (
-            bodies.subDict(body.name).subOrEmptyDict("motion")
+            couplingSettings
+            (
+                bodies.subDict(body.name).subOrEmptyDict("motion"),
+                "bodies." + std::string(body.name) + ".motion"
+            )
         );
-        body.velocity = vec3(motion.getOrDefault<vector>("velocity", Zero));
-        body.angularVelocity = vec3(motion.getOrDefault<vector>("omega", Zero));
+        body.velocity = motion.vec3("velocity", {});
+        body.angularVelocity = motion.vec3("omega", {});
+        motion.finish();
     }
 }
 
