@@ -46,7 +46,8 @@ def write_fluid(run, parameters):
     folder.copy_foam(FOAM, run, {
         "coarse_min": tuple(low for low, _ in box), "coarse_max": tuple(high for _, high in box), "coarse_cell": cell,
         "endTime": parameters["end_time"], "first_step": 0.2 * longest, "longest_step": longest,
-        "max_courant": parameters["max_courant"], "write_interval": parameters["write_interval"]})
+        "max_courant": parameters["max_courant"], "write_interval": parameters["write_interval"],
+        "shielding": parameters.get("shielding", "off")})
     mesh.write_block_mesh(run / "foam/system/blockMeshDict", ((-SIDE, SIDE), (-DEPTH, HEIGHT), (-SIDE, SIDE)),
                           (across, along, across))
     print(f"fluid: {mesh.cell_count(across, along, across)} cells, {1e3 * size:.3g} mm in the core")

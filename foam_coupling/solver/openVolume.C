@@ -385,15 +385,17 @@ tmp<volVectorField> openVolume::reconstruct(const tmp<surfaceScalarField>& tssf)
         return fvc::reconstruct(tssf);
     }
 
-    // Closed faces know nothing of the fluid; a small weight keeps the sum invertible
-    const surfaceScalarField weight(max(bodies_->theta(), scalar(0.01)));
-    const surfaceVectorField weightedNormal(weight*mesh_.Sf()/mesh_.magSf());
+    // A face counts as far as it is open. Where a cell is about to close, the pressure that drives its last volume out
+    // through a sliver is of no concern to the neighbour's velocity: in the sum its weight goes to zero. The floor keeps
+    // the matrix invertible in cells with closed faces.
+    const surfaceScalarField& theta = bodies_->theta();
+    const surfaceVectorField normal(mesh_.Sf()/mesh_.magSf());
     tmp<volVectorField> tresult
     (
         new volVectorField
         (
             "reconstructed",
-            inv(fvc::surfaceSum(weightedNormal*mesh_.Sf())) & fvc::surfaceSum(weightedNormal*tssf)
+            inv(fvc::surfaceSum(max(theta, scalar(0.01))*normal*mesh_.Sf())) & fvc::surfaceSum(theta*normal*tssf)
         )
     );
     return tresult;
