@@ -201,6 +201,8 @@ void FixCoupleFoam::sendBodies()
 void FixCoupleFoam::takeBodyLoads()
 {
   const std::vector<frazil::BodyLoad> loads = link_->receiveBodyLoads();
+  // none yet: bodies keep the load of their restart file, or start without one
+  if (loads.empty()) return;
   if (loads.size() != bodies_.size())
     throw std::runtime_error("frazilFoam sent the loads of " + std::to_string(loads.size()) + " bodies, not of " +
                              std::to_string(bodies_.size()));

@@ -11,6 +11,7 @@ DemLink::DemLink() : Link(Side::dem) {}
 
 FoamHello DemLink::handshake(const DemHello& mine)
 {
+    patience_.setLimit(handshakeSeconds(), "FRAZIL_HANDSHAKE_SECONDS in the environment");
     send(helloTag, pack(mine));
     const FoamHello partner = unpackFoamHello(receive(helloTag, "greet (it may still be reading its mesh)"));
     // All ranks compare what rank 0 said, so that all of them refuse or none.
@@ -20,7 +21,7 @@ FoamHello DemLink::handshake(const DemHello& mine)
     said.resize(length);
     MPI_Bcast(said.data(), int(length), MPI_BYTE, 0, world_.own());
     compare(unpackDemHello(said), partner);
-    patience_.setLimit(partner.watchdog);
+    patience_.setLimit(partner.watchdog, watchdogKey);
     return partner;
 }
 

@@ -19,7 +19,7 @@ DemHello FoamLink::handshake(FoamHello mine)
     said.resize(length);
     MPI_Bcast(said.data(), int(length), MPI_BYTE, 0, world_.own());
     send(helloTag, said);
-    patience_.setLimit(mine.watchdog);
+    patience_.setLimit(mine.watchdog, watchdogKey);
     const DemHello partner =
         unpackDemHello(receive(helloTag, "greet (it does so at its first run with fix couple/foam)"));
     compare(partner, unpackFoamHello(said));
@@ -91,12 +91,13 @@ void FoamLink::sendReplies(const std::vector<ParticleReply>& replies)
     waitForAll("take the forces on its particles", requests_);
 }
 
-void FoamLink::finish(double time)
+void FoamLink::finish(double time, bool written)
 {
     if (!finished()) {
         StepOrder order;
         order.time = time;
         order.finish = 1;
+        order.written = written;
         order.waited = waited();
         swap(order);
     }

@@ -32,8 +32,9 @@ class FoamLink : public Link
     /// In the order of the states received last. Only rank 0's loads count (so sum them over the fluid ranks).
     void sendBodyLoads(const std::vector<BodyLoad>& loads) { sendList(loadTag, loads); }
     /// Ends the coupling unless it has ended: waits for the partner's next swap and tells it. Then goodbye.
-    /// @param time  fluid time [s]
-    void finish(double time);
+    /// @param time     fluid time [s]
+    /// @param written  fields were written at this time, so frazilDem writes a restart file
+    void finish(double time, bool written);
 
   private:
     struct Sender {

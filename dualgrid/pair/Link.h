@@ -25,6 +25,9 @@ class Link
     double waited() const { return patience_.waited(); }
 
   protected:
+    /// Where the user sets the limit of the waits after the handshake.
+    static constexpr const char* watchdogKey = "`watchdog` in constant/couplingProperties";
+
     enum Tag {
         helloTag = 1,
         stepTag,

@@ -1,11 +1,13 @@
 #include "Wait.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <sched.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "InputError.h"
 #include "World.h"
 
 namespace frazil
@@ -57,9 +59,23 @@ void Patience::giveUp(const char* what) const
 {
     World& world = World::instance();
     const char* partner = programName(partnerOf(world.side()));
-    world.fail(fmt::format("it has waited {:g} s for {} to {}. {} is stuck, or it needs longer than `watchdog` in "
-                           "constant/couplingProperties allows",
-                           limit_, partner, what, partner));
+    world.fail(fmt::format("it has waited {:g} s for {} to {}. {} is stuck, or it needs longer than {} allows",
+                           limit_, partner, what, partner, setBy_));
+}
+
+double handshakeSeconds()
+{
+    const char* text = std::getenv("FRAZIL_HANDSHAKE_SECONDS");
+    if (!text) {
+        return 3600;
+    }
+    char* end = nullptr;
+    const double seconds = std::strtod(text, &end);
+    if (end == text || *end || !(seconds > 0)) {
+        throw InputError("the environment", "FRAZIL_HANDSHAKE_SECONDS", text, "is not a number above zero",
+                         "seconds that frazilDem waits for frazilFoam to read its mesh, e.g. 3600");
+    }
+    return seconds;
 }
 
 } // namespace frazil

@@ -16,8 +16,12 @@ namespace frazil
 class Patience
 {
   public:
-    /// Longest time to wait for the partner [s].
-    void setLimit(double seconds) { limit_ = seconds; }
+    /// Longest time to wait for the partner [s]. `setBy` tells the user what to change: "`watchdog` in ...".
+    void setLimit(double seconds, const std::string& setBy)
+    {
+        limit_ = seconds;
+        setBy_ = setBy;
+    }
     double limit() const { return limit_; }
 
     /// Returns when done() does. `what` completes "... has waited 600 s for frazilFoam to".
@@ -31,7 +35,12 @@ class Patience
     [[noreturn]] void giveUp(const char* what) const;
 
     double limit_ = 600;
+    std::string setBy_;
     double waited_ = 0;
 };
+
+/// FRAZIL_HANDSHAKE_SECONDS of the environment, 3600 without it: how long frazilDem waits for frazilFoam's first word,
+/// which comes when the mesh has been read [s]. Throws InputError if it is no number above zero.
+double handshakeSeconds();
 
 } // namespace frazil

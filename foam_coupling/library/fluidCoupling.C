@@ -131,6 +131,7 @@ Foam::fluidCoupling::fluidCoupling
     }
     else
     {
+        pairExchange::learnKeys(settings);
         settings.finish();
         motion_.reset(new prescribedMotion(bodies, loadedStates()));
     }

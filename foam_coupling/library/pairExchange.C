@@ -3,10 +3,16 @@
 #include "Pstream.H"
 #include "Time.H"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+
+#include <fmt/format.h>
+
+#include "Sum.h"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -42,6 +48,46 @@ frazil::Box coarseBox(const frazil::Settings& settings)
 {
     const frazil::Settings& s = settings.sub("coarseGrid");
     return {s.vec3("min"), s.vec3("max")};
+}
+
+
+//- Names of the columns that transport() fills
+const char* const transportHeader =
+    ",demParticles,particlesLost,demVolume,demImpulseX,demImpulseY,demImpulseZ,"
+    "volumeErrorTransport,impulseErrorTransport";
+
+
+//- What arrived, summed over the fluid ranks
+struct Arrived
+{
+    double particles = 0;
+    double volume = 0;                 // [m3]
+    frazil::Vec3 impulse;              // [N s]
+    double impulseScale = 0;           // sum of the magnitudes [N s]
+};
+
+
+Arrived arrived(const frazil::ParticleView& particles)
+{
+    Arrived here;
+    here.particles = double(particles.count);
+    for (std::size_t p = 0; p < particles.count; ++p)
+    {
+        here.volume += 4.0/3.0*M_PI*std::pow(particles.radius[p], 3);
+        here.impulse += particles.impulse[p];
+        here.impulseScale += norm(particles.impulse[p]);
+    }
+
+    const frazil::Vec3& j = here.impulse;
+    double sums[] = {here.particles, here.volume, j.x, j.y, j.z, here.impulseScale};
+    frazil::sumOverRanks(sums, 6, frazil::World::instance().own());
+    return {sums[0], sums[1], {sums[2], sums[3], sums[4]}, sums[5]};
+}
+
+
+double relative(const double difference, const double scale)
+{
+    return scale > 0 ? difference/scale : difference;
 }
 
 } // End anonymous namespace
@@ -90,12 +136,13 @@ void Foam::pairExchange::cutFineCells()
 {
     // With dualGrid off they still say which rank has fine cells where
     step_.setParts(coarsePieces(mesh_, grid_));
-}
 
-
-bool Foam::pairExchange::restarted() const
-{
-    return mesh_.time().timeIndex() > 0 && std::filesystem::exists("ledger.csv");
+    // findCell makes them when first asked. That is collective, but only ranks
+    // with particles would ask
+    if (!step_.dualGrid())
+    {
+        (void)mesh_.tetBasePtIs();
+    }
 }
 
 
@@ -114,14 +161,39 @@ void Foam::pairExchange::openLedger()
             IOstream::ASCII,
             IOstream::currentVersion,
             IOstream::UNCOMPRESSED,
-            restarted()
+            restarted_
         )
     );
 
-    if (!restarted())
+    if (!restarted_)
     {
-        ledger_() << frazil::Ledger::csvHeader().c_str() << endl;
+        ledger_()
+            << frazil::Ledger::csvHeader().c_str() << transportHeader << endl;
     }
+}
+
+
+std::string Foam::pairExchange::transport
+(
+    const frazil::StepReport& report,
+    const frazil::ParticleView& particles
+)
+{
+    const Arrived here = arrived(particles);
+    const double before = arrivedBefore_ < 0 ? report.particles : arrivedBefore_;
+    arrivedBefore_ = here.particles;
+    return fmt::format
+    (
+        ",{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g},{:.3g}",
+        report.particles,
+        before - here.particles,
+        report.solidVolume,
+        report.impulse.x,
+        report.impulse.y,
+        report.impulse.z,
+        relative(std::abs(here.volume - report.solidVolume), report.solidVolume),
+        relative(norm(here.impulse - report.impulse), here.impulseScale)
+    );
 }
 
 
@@ -162,7 +234,8 @@ frazil::StepOrder Foam::pairExchange::order(const scalar deltaT)
 
     // A hair more than whole, so that 10.0 DEM steps do not become 9
     const double fitting = std::floor(deltaT/demDeltaT_*(1 + 1e-9));
-    if (deltaT < 1e-3*demDeltaT_)
+    // Written so that a deltaT that is not a number ends here too
+    if (!(deltaT >= 1e-3*demDeltaT_))
     {
         throw std::runtime_error
         (
@@ -232,6 +305,10 @@ Foam::pairExchange::pairExchange
     ),
     step_(settings, grid_, water, air, frazil::World::instance().own()),
     link_(),
+    restarted_
+    (
+        mesh.time().timeIndex() > 0 && std::filesystem::exists("ledger.csv")
+    ),
     startTime_(wallTime())
 {
     const scalar watchdog = settings.positive("watchdog", 600);
@@ -246,7 +323,6 @@ Foam::pairExchange::pairExchange
         }
     );
     connect(gravity, bodies, watchdog);
-    bodyLoads_.resize(bodies.size());
 
     using frazil::SnapshotFile;
     snapshots_.reset
@@ -255,7 +331,7 @@ Foam::pairExchange::pairExchange
         (
             "coarse.h5",
             frazil::World::instance().own(),
-            restarted() ? SnapshotFile::Mode::append : SnapshotFile::Mode::create
+            restarted_ ? SnapshotFile::Mode::append : SnapshotFile::Mode::create
         )
     );
     openLedger();
@@ -263,6 +339,35 @@ Foam::pairExchange::pairExchange
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pairExchange::learnKeys(const frazil::Settings& settings)
+{
+    for (const char* key : {"dualGrid", "kernel", "momentumExchange", "watchdog"})
+    {
+        settings.has(key);
+    }
+    for (const char* key : {"min", "max", "cellSize"})
+    {
+        settings.sub("coarseGrid").has(key);
+    }
+    for (const char* key : {"exponent", "limiter"})
+    {
+        settings.sub("prolongation").has(key);
+    }
+    settings.sub("voidFraction").has("min");
+    for
+    (
+        const char* key
+      : {
+            "drag", "pressureGradient", "viscous", "addedMass",
+            "rotationalDrag", "shielding"
+        }
+    )
+    {
+        settings.sub("forces").has(key);
+    }
+}
+
 
 Foam::scalar Foam::pairExchange::exchange
 (
@@ -295,9 +400,10 @@ Foam::scalar Foam::pairExchange::exchange
     link_.sendReplies(replies_);
     link_.sendBodyLoads(bodyLoads_);
 
+    const std::string columns = transport(report, particles.view());
     if (ledger_.valid())
     {
-        ledger_() << ledger.csvLine(step.time).c_str() << endl;
+        ledger_() << ledger.csvLine(step.time).c_str() << columns.c_str() << endl;
     }
 
     if (mesh_.time().writeTime() || mesh_.time().timeIndex() == 0)
@@ -312,7 +418,7 @@ Foam::scalar Foam::pairExchange::exchange
 
 void Foam::pairExchange::finish()
 {
-    link_.finish(mesh_.time().value());
+    link_.finish(mesh_.time().value(), mesh_.time().writeTime());
 
     if (longSteps_)
     {

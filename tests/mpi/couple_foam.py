@@ -61,6 +61,21 @@ thermo 500
 """
 
 
+def box(path, size):
+    """A cube of this edge around (0.3 0.2 0.25) as STL; returns its volume [m3]."""
+    corner = [[c + size * ((n >> axis & 1) - 0.5) for axis, c in enumerate((0.3, 0.2, 0.25))] for n in range(8)]
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    with open(path, "w") as stl:
+        stl.write("solid box\n")
+        for a, b, c, d in quads:
+            for triangle in ((a, b, c), (a, c, d)):
+                stl.write("facet normal 0 0 0\nouter loop\n")
+                stl.writelines("vertex %.17g %.17g %.17g\n" % tuple(corner[n]) for n in triangle)
+                stl.write("endloop\nendfacet\n")
+        stl.write("endsolid box\n")
+    return size**3
+
+
 class Case(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -158,6 +173,22 @@ class Runs(Case):
         self.assertIn("restart file belongs to fluid time 0.1 s, frazilFoam starts at 0.11 s", late.text)
         times = [line.split(",")[0] for line in Path(self.folder.name, "history.csv").read_text().splitlines()[1:]]
         self.assertEqual(len(times), len(set(times)), "a continued history has each time once")
+
+    def test_a_body_keeps_its_load_over_a_restart(self):
+        """The fluid has no load to send at its first exchange: none at a fresh start, that of the restart file later.
+
+        v = F/m (0.2 s - the first fluid step); without the load of the file one step less."""
+        volume, load = box(Path(self.folder.name, "box.stl"), 0.02), 0.004
+        body = ("fix hull all mesh/surface/stress file box.stl type 1\n"
+                "fix wall all wall/gran model hertz tangential history mesh n_meshes 1 meshes hull\n"
+                "fix ball all body/rigid mesh hull density 1000\n")
+        show = PRINT.replace("f_foam[1] f_foam[3]", "f_ball[4] f_ball[20]")
+        fluid = {"body": "ball", "volume": volume, "load": load}
+        whole = self.final(self.run_pair(body + MOVE + COUPLE + show + "run 2000\n", written=100, **fluid))
+        self.near(whole["time"], load / (1000 * volume) * 0.199, 1e-2 * DT)
+        run = self.run_pair(body + MOVE + COUPLE + show + "run 1000\n", start="read_restart r.1000", start_time=0.1,
+                            steps=100, **fluid)
+        self.near(self.final(run)["time"], whole["time"], 1e-12)
 
     def test_the_script_may_end_first(self):
         run = self.run_pair(MOVE + COUPLE + PRINT + "run 1005 stop 2000\n", (2, 2), **self.FLUID)

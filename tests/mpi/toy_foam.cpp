@@ -3,7 +3,8 @@
 /// With `echo=1` (partner: toy_dem) each reply repeats what came in, so that the partner can check that it is its own.
 /// Else every particle gets drag K (times its exposure) towards `u`, added mass `ma` with fluid acceleration `dudt`,
 /// and the passive force `passive`, all along x; the impulse that the particles report is summed up and printed at the
-/// end. fails=exit|finalize|abort|throw|hang at=STEP: how it leaves early. quiet ends: steps, or the partner's end.
+/// end. A body `body` of volume `volume` gets the force `load` along x, from the second exchange on, as from frazilFoam.
+/// fails=exit|finalize|abort|throw|hang at=STEP: how it leaves early. quiet ends: steps, or the partner's end.
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -29,6 +30,8 @@ FoamHello greeting(const ToyArguments& arguments)
     hello.watchdog = arguments.number("watchdog", 60);
     if (arguments.number("echo", 0)) {
         hello.bodies = {{"cone", 1e-6}};
+    } else if (!arguments.word("body").empty()) {
+        hello.bodies = {{arguments.word("body"), arguments.number("volume", 0)}};
     }
     return hello;
 }
@@ -123,15 +126,21 @@ int main(int argc, char** argv)
             impulse += particles.impulse[i];
             replies[i] = reply(arguments, particles, i);
         }
+        const std::vector<BodyState> bodies = link.receiveBodies();
         std::vector<BodyLoad> loads;
-        for (const BodyState& body : link.receiveBodies()) {
-            loads.emplace_back();
-            loads.back().force.y = 2 * body.velocity.y;
+        for (const BodyState& body : bodies) {
+            if (arguments.number("echo", 0)) {
+                loads.emplace_back();
+                loads.back().force.y = 2 * body.velocity.y;
+            } else if (step > 0) {
+                loads.emplace_back();
+                loads.back().force.x = arguments.number("load", 0);
+            }
         }
         link.sendReplies(replies);
         link.sendBodyLoads(loads);
     }
-    link.finish(time);
+    link.finish(time, false);
 
     Vec3 total;
     MPI_Reduce(&impulse.x, &total.x, 3, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
