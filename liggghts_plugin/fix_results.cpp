@@ -1,9 +1,9 @@
 #include "fix_results.h"
 
+#include "compute_fragment.h"
 #include "fix_bond_parallel.h"
 
 #include "atom.h"
-#include "compute.h"
 #include "error.h"
 #include "modify.h"
 #include "update.h"
@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "SnapshotFile.h"
+#include "World.h"
 
 using namespace LAMMPS_NS;
 using frazil::SnapshotArray;
@@ -61,6 +62,8 @@ Fix* FixResults::findFix(const std::string& keyword, const std::string& id)
 void FixResults::init()
 {
     fluid_ = findFix("fluid", fluidId_);
+    if (fluid_ && strcmp(fluid_->style, "couple/foam") != 0)
+        stop("fluid " + fluidId_ + ": is a fix " + fluid_->style + ", must be a fix couple/foam");
     Fix* bonds = findFix("bonds", bondsId_);
     bonds_ = dynamic_cast<FixBondParallel*>(bonds);
     if (bonds && !bonds_) stop("bonds " + bondsId_ + ": is a fix " + bonds->style + ", must be a fix bond/parallel");
@@ -68,18 +71,36 @@ void FixResults::init()
     if (fragmentId_.empty()) return;
     const int index = modify->find_compute(fragmentId_.c_str());
     if (index < 0) stop("fragment " + fragmentId_ + ": there is no compute of this ID; define it before the run");
-    fragment_ = modify->compute[index];
+    fragment_ = dynamic_cast<ComputeFragment*>(modify->compute[index]);
+    if (!fragment_)
+        stop("fragment " + fragmentId_ + ": is a compute " + modify->compute[index]->style +
+             ", must be a compute fragment");
 }
 
 void FixResults::setup(int)
 {
-    if (!snapshots_) {
-        // a continued run goes on in its file
-        const SnapshotFile::Mode mode = update->ntimestep > 0 ? SnapshotFile::Mode::append : SnapshotFile::Mode::create;
-        snapshots_.reset(new SnapshotFile(file_, world, mode));
-    }
+    if (!snapshots_) openFile();
     if (update->ntimestep % nevery == 0) write();
-    if (fragment_) fragment_->addstep(update->ntimestep + nevery - update->ntimestep % nevery);
+    announce(update->ntimestep + nevery - update->ntimestep % nevery);
+}
+
+void FixResults::openFile()
+{
+    // a continued run goes on in its file
+    const SnapshotFile::Mode mode = update->ntimestep > 0 ? SnapshotFile::Mode::append : SnapshotFile::Mode::create;
+    try {
+        snapshots_.reset(new SnapshotFile(file_, world, mode));
+    } catch (const std::exception& e) {
+        stopAlone(e.what());
+    }
+}
+
+/// Next snapshot: the bond fix computes its stress only on steps for which the contacts' virial was asked for.
+void FixResults::announce(bigint step)
+{
+    if (fragment_) fragment_->addstep(step);
+    const int virial = bonds_ ? modify->find_compute((bondsId_ + "_contact_virial").c_str()) : -1;
+    if (virial >= 0) modify->compute[virial]->addstep(step);
 }
 
 void FixResults::end_of_step() { write(); }
@@ -109,9 +130,9 @@ void FixResults::write()
         if (bonds_) writeBonds();
         snapshots_->end();
     } catch (const std::exception& e) {
-        stop(e.what());
+        stopAlone(e.what());
     }
-    if (fragment_) fragment_->addstep(update->ntimestep + nevery);
+    announce(update->ntimestep + nevery);
 }
 
 void FixResults::gatherParticles()
@@ -185,4 +206,13 @@ void FixResults::stop(const std::string& message)
     const std::string text = std::string("fix ") + id + " results: " + message;
     error->all(FLERR, text.c_str());
     abort(); // error->all does not return, but is not declared so
+}
+
+/// Not error->all: it waits for all ranks, and the others may be inside HDF5.
+void FixResults::stopAlone(const std::string& message)
+{
+    const std::string text = std::string("fix ") + id + " results: " + message;
+    if (frazil::World::started() && frazil::World::instance().coupled()) frazil::World::instance().fail(text);
+    error->one(FLERR, text.c_str());
+    abort(); // as above
 }

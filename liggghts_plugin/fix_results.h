@@ -40,10 +40,13 @@ private:
         std::vector<double> values;
     };
 
-    [[noreturn]] void stop(const std::string&);
+    [[noreturn]] void stop(const std::string&);   // all ranks have the error
+    [[noreturn]] void stopAlone(const std::string&); // perhaps only this one
     void readKeywords(int, char**);
     class Fix* findFix(const std::string& keyword, const std::string& id);
 
+    void openFile();
+    void announce(bigint step);
     void write();
     void gatherParticles();
     void addVectors(const char* name, double** rows, int from);
@@ -58,7 +61,7 @@ private:
     std::unique_ptr<frazil::SnapshotFile> snapshots_;
     class FixBondParallel* bonds_;
     class Fix* fluid_;
-    class Compute* fragment_;
+    class ComputeFragment* fragment_;
 
     std::vector<int> members_; // local indices of the group
     std::vector<Column> columns_;

@@ -1,0 +1,52 @@
+"""fix results without a partner: the stress in the file is that of its own step; what it says to bad input."""
+
+from bond_dem import *
+
+try:
+    import h5py
+except ImportError:
+    sys.exit(77)  # CTest: skipped
+
+EVERY = 7
+
+
+def script(more, thermo=1000):
+    text = head(processors="* 1 1") + MODEL + spheres([[-R, 0, 0], [R, 0, 0]]) + "timestep 1e-7\n" + bond()
+    text += f"fix nve all nve/sphere\nvelocity all set 0 0 0\ngroup right id 2\nvelocity right set 0.1 0 0\n{more}"
+    return text + f"thermo {thermo}\nrun {5 * EVERY}\n"
+
+
+def stress_of_its_step(check):
+    """No thermo or dump asks for the stress on these steps; the dump of a second run does."""
+    for ranks in (1, 2):
+        file = check.run(script(f"fix out all results {EVERY} bonds bonds\n"), ranks=ranks)
+        text = check.run(script(dump("d", EVERY, "f_bonds[3]")), ranks=ranks)
+        with h5py.File(os.path.join(file.folder, "particles.h5")) as results:
+            for step in range(EVERY, 5 * EVERY + 1, EVERY):
+                group = results[f"particles/{step:012d}"]
+                found = {int(i): row[0] for i, row in zip(group["id"][:], group["stress"][:])}
+                for i, (reference,) in text.rows("d", step).items():
+                    check.near(f"stress of sphere {i}, step {step}, {ranks} ranks", found[i], reference, 1e-12)
+
+
+def bad_input(check):
+    for keyword, style in (("fluid", "nve/sphere"), ("bonds", "nve/sphere")):
+        run = check.run(script(f"fix out all results {EVERY} {keyword} nve\n"), ranks=2, expect_failure=True)
+        check.true(f"{keyword} of another style", f"{keyword} nve: is a fix {style}, must be" in run.output)
+    more = f"compute ke all ke/atom\nfix out all results {EVERY} fragment ke\n"
+    run = check.run(script(more), ranks=2, expect_failure=True)
+    check.true("fragment of another style", "fragment ke: is a compute ke/atom, must be a compute fragment" in run.output)
+
+
+def failure_of_one_rank(check):
+    """Only the first rank writes the XDMF file: a folder in its place must end the other rank too."""
+    more = f"shell mkdir particles.xdmf\nfix out all results {EVERY}\n"
+    run = check.run(script(more), ranks=2, expect_failure=True)
+    check.true("XDMF file cannot be written", "cannot write particles.xdmf" in run.output)
+
+
+check = Check()
+stress_of_its_step(check)
+bad_input(check)
+failure_of_one_rank(check)
+check.finish()
