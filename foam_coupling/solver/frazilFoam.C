@@ -72,6 +72,10 @@ int main(int argc, char *argv[])
         {
             #include "CourantNo.H"
             #include "alphaCourantNo.H"
+            if (open.active())
+            {
+                CoNum = open.courantNumber(phi);
+            }
             #include "setDeltaT.H"
         }
 

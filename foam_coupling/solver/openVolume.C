@@ -444,16 +444,31 @@ tmp<surfaceScalarField> openVolume::faceCoefficient(const surfaceScalarField& rA
 tmp<fvVectorMatrix> openVolume::convection(const surfaceScalarField& rhoPhi, const volVectorField& U) const
 {
     const word name("div(rhoPhi,U)");
-    if (!active() || !bodies_)
+    if (!active())
     {
         return fvm::div(rhoPhi, U, name);
     }
 
-    const surfaceScalarField cut(pos(faceMax(max(bodies_->gamma(), bodies_->gamma().oldTime())) - SMALL));
-    const surfaceScalarField cutFlux(cut*rhoPhi);
+    const upwind<vector> implicitScheme(mesh_, rhoPhi);
+    surfaceVectorField difference
+    (
+        fv::convectionScheme<vector>::New(mesh_, rhoPhi, mesh_.divScheme(name))->interpolate(rhoPhi, U)
+      - implicitScheme.interpolate(U)
+    );
+    if (bodies_)
+    {
+        difference *= neg(faceMax(max(bodies_->gamma(), bodies_->gamma().oldTime())) - SMALL);
+    }
     return
-        fvm::div((rhoPhi - cutFlux)(), U, name)
-      + fv::gaussConvectionScheme<vector>(mesh_, cutFlux, upwind<vector>(mesh_, cutFlux)).fvmDiv(cutFlux, U);
+        fv::gaussConvectionScheme<vector>(mesh_, rhoPhi, implicitScheme).fvmDiv(rhoPhi, U)
+      + fvc::surfaceIntegrate(rhoPhi*difference);
+}
+
+
+scalar openVolume::courantNumber(const surfaceScalarField& phi) const
+{
+    const scalarField rate(fvc::surfaceSum(mag(phi))().primitiveField());
+    return 0.5*gMax(rate/(mesh_.V()*fluidFraction_->primitiveField()))*mesh_.time().deltaTValue();
 }
 
 
