@@ -34,7 +34,9 @@ def prepare(folder, foam_ranks):
     (folder / "params.json").write_text(json.dumps({**level, **CASE}))
     subprocess.run([sys.executable, ROOT / "cases/ice_entry/prepare", folder, folder / "params.json"], check=True,
                    stdout=subprocess.DEVNULL)
-    replace(folder / "foam/system/fvSolution", ("tolerance       1e-08", "tolerance 1e-14"), ("relTol          0.01", "relTol 0"))
+    replace(folder / "foam/system/fvSolution", ("tolerance       1e-08", "tolerance 1e-14"),
+            ("tolerance       1e-09", "tolerance 1e-14"), ("tolerance       1e-10", "tolerance 1e-14"),
+            ("relTol          0.01", "relTol 0"))
     replace(folder / "foam/system/controlDict", ("adjustTimeStep  yes", "adjustTimeStep no"))
     text = (folder / "foam/system/controlDict").read_text().splitlines()
     text = [f"deltaT {LONGEST_STEP};" if line.startswith("deltaT") else line for line in text]
@@ -68,8 +70,9 @@ def run(folder, dem_ranks, foam_ranks):
     parallel = ["-parallel"] if foam_ranks > 1 else []
     with open(folder / "log.pair", "w") as log:
         code = subprocess.run(
-            [*exec_, "mpirun", "--oversubscribe", "-np", str(dem_ranks), "frazilDem", "-in", "dem/in.ice_entry", "-log", "log.dem",
-             "-screen", "/dev/null", ":", "-np", str(foam_ranks), "frazilFoam", "-case", "foam", *parallel],
+            [*exec_, "mpirun", "--oversubscribe", "-np", str(dem_ranks), BUILD / "bin/frazilDem", "-in",
+             "dem/in.ice_entry", "-log", "log.dem", "-screen", "/dev/null", ":", "-np", str(foam_ranks),
+             BUILD / "bin/frazilFoam", "-case", "foam", *parallel],
             cwd=folder, stdout=log, stderr=log, timeout=600).returncode
     if code:
         sys.exit(f"{dem_ranks}:{foam_ranks} ended with {code}:\n" + (folder / "log.pair").read_text()[-2000:])
