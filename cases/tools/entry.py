@@ -55,7 +55,8 @@ def write_fluid(run, parameters):
 
 def check_cavity(run, history, result):
     """The cavity: at the end there is air on the axis behind the tail, where water or ice stood at the start."""
-    lines = (run / "foam/postProcessing/axis/0/alpha.water").read_text().splitlines()
+    starts = (run / "foam/postProcessing/axis").iterdir()  # one folder per start: a resumed run has several
+    lines = (max(starts, key=lambda path: float(path.name)) / "alpha.water").read_text().splitlines()
     heights = [float(line.split()[4]) for line in lines if line.startswith("# Probe ")]
     water = [float(word) for word in lines[-1].split()[1:]]
     tail = history["y"][-1] + LENGTH - CENTRE

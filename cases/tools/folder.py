@@ -25,12 +25,17 @@ def copy_foam(source, run, numbers):
     (foam / "constant/triSurface").mkdir(exist_ok=True)
 
 
-def copy_dem(script, run, numbers):
-    """dem/in.<case>, and dem/parameters, which it includes: one LIGGGHTS variable per number."""
+def copy_dem(script, run, numbers, start=None):
+    """dem/in.<case>, and dem/parameters, which it includes: one LIGGGHTS variable per number.
+
+    start: the commands that create box and particles, as dem/start, which the script includes; `--resume` puts
+    read_restart in their place."""
     (run / "dem").mkdir(parents=True, exist_ok=True)
     shutil.copy(script, run / "dem")
     lines = [f"variable {key} string {text(value)}\n" for key, value in numbers.items()]
     (run / "dem/parameters").write_text("".join(lines))
+    if start:
+        (run / "dem/start").write_text(start)
 
 
 def text(value):

@@ -104,6 +104,31 @@ class Launcher(unittest.TestCase):
         launcher.forget_after(table, 0.1)
         self.assertEqual(table.read_text(), "time,y\n0,1\n")
 
+    def test_resume_restarts_both_programs(self):
+        """The DEM's start becomes read_restart, the fluid's its time; tables lose what will be written again."""
+        run = launcher.plan(self.arguments())
+        files = {"run.json": json.dumps({"case": str(run.case), "level": "demo", "np_dem": 1, "np_foam": 1}),
+                 "params.json": "{}", "foam/0.1/U": "", "dem/restart.10": "", "dem/start": "read_data ice\n",
+                 "foam/system/controlDict": "startFrom latestTime;\nstartTime 0;\nendTime 1;\n",
+                 "history.csv": "time,substeps\n0,10\n0.1,10\n", "ledger.csv": "time\n0\n0.1\n",
+                 "dem/bonds.csv": "time,id1\n0.05,1\n0.15,2\n"}
+        for name, text in files.items():
+            (run.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (run.folder / name).write_text(text)
+        launcher.resume(self.arguments("--resume"))
+        read = lambda name: (run.folder / name).read_text()
+        self.assertEqual(read("dem/start"), "read_restart dem/restart.10\n")
+        self.assertIn("startTime 0.1;", read("foam/system/controlDict"))
+        self.assertEqual(read("ledger.csv"), "time\n0\n")
+        self.assertEqual(read("dem/bonds.csv"), "time,id1\n0.05,1\n")
+
+    def test_shipped_cases_that_resume(self):
+        """Their scripts create particles through dem/start, and write the restart files that resume looks for."""
+        for case in ("ice_entry", "free_entry"):
+            script = (launcher.TOP / f"cases/{case}/dem/in.{case}").read_text()
+            self.assertRegex(script, r"(?m)^include dem/start$")
+            self.assertRegex(script, r"(?m)^fix \S+ \S+ couple/foam .*restart dem/restart\.\*")
+
     def test_resume_of_nothing(self):
         with self.assertRaisesRegex(launcher.Failure, "--resume: no run of toy"):
             launcher.resume(self.arguments("--resume"))
