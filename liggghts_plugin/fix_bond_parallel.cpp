@@ -32,7 +32,7 @@ inline Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
 FixBondParallel::FixBondParallel(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg), radiusFactor_(1), createGap_(0.01), weibullModulus_(0), weibullSeed_(0), tableNewer_(false),
       owned_(0), created_(false), restarted_(false), list_(NULL), eventsOpened_(false), initialBonds_(0), lostBonds_(0), initialVolume_(0),
-      brokenTension_(0), brokenShear_(0), damped_(0), released_(0), evaluations_(0), totalsAt_(-1), nextStress_(-1), timeBefore_(0), restartTime_(-1), frequency_(0),
+      brokenTension_(0), brokenShear_(0), damped_(0), released_(0), evaluations_(0), countsAt_(-1), totalsAt_(-1), nextStress_(-1), timeBefore_(0), restartTime_(-1), frequency_(0),
       stressId_(NULL)
 {
     if (!atom->sphere_flag || !atom->omega_flag || !atom->torque_flag)

@@ -75,7 +75,8 @@ private:
         double x, y, z;    // bond centre [m]
         double sigma, tau; // [Pa]
     };
-    enum Total { INTACT, TENSION, SHEAR, ELASTIC, DAMPED, RELEASED, TOTALS };
+    enum Count { INTACT, TENSION, SHEAR, COUNTS };
+    enum Total { ELASTIC, DAMPED, RELEASED, TOTALS };
 
     // fix_bond_parallel.cpp: input and the step
     void parse(int, char**);
@@ -101,6 +102,7 @@ private:
     int largestCount() const;
 
     // fix_bond_parallel_output.cpp: results, events, time step
+    void reduceCounts();
     void reduceTotals();
     void tallyVirial(int);
     void stressArray();
@@ -135,8 +137,9 @@ private:
     double initialVolume_;                          // [m3], of all ranks
     double brokenTension_, brokenShear_;            // of this rank
     double damped_, released_;                      // [J], of this rank
-    double totals_[TOTALS], use_[2];                // of all ranks, at evaluation totalsAt_
-    bigint evaluations_, totalsAt_;
+    double counts_[COUNTS];          // of all ranks, at evaluation countsAt_
+    double totals_[TOTALS], use_[2]; // of all ranks, at evaluation totalsAt_
+    bigint evaluations_, countsAt_, totalsAt_;
     bigint nextStress_; // step for which the contacts' per-atom virial is announced
 
     double timeBefore_; // what the host's clock forgot at a restart [s]

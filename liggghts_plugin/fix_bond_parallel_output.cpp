@@ -25,17 +25,27 @@ using namespace frazil;
    global vector
 ------------------------------------------------------------------------- */
 
-/// Sums and maxima of all ranks. A bond across ranks counts for the owner of the lower id.
+/// Bonds on all ranks: asked for at every fluid step, so without their loads. A bond across ranks counts for the owner
+/// of the lower id.
+void FixBondParallel::reduceCounts()
+{
+    const auto owned = [this](int target) { return target < atom->nlocal; };
+    const auto end = table_.target1.begin() + table_.size();
+    double here[COUNTS] = {double(std::count_if(table_.target1.begin(), end, owned)), brokenTension_, brokenShear_};
+    MPI_Allreduce(here, counts_, COUNTS, MPI_DOUBLE, MPI_SUM, world);
+    countsAt_ = evaluations_;
+}
+
+/// Sums and maxima over the bonds of all ranks.
 void FixBondParallel::reduceTotals()
 {
-    double here[TOTALS] = {0, brokenTension_, brokenShear_, 0, damped_, released_};
+    double here[TOTALS] = {0, damped_, released_};
     double use[2] = {0, 0};
     for (std::size_t k = 0; k < table_.size(); ++k) {
         if (table_.target1[k] >= atom->nlocal) continue;
         const BondState state = table_.stateOf(k);
         const BondShape shape = table_.shapeOf(k);
         const BondStiffness stiffness = stiffnessOf(material_, shape.restLength, shape.radius);
-        here[INTACT] += 1;
         here[ELASTIC] += elasticEnergy(state, stiffness, shape.restLength);
         const BondUse used = useOf(state, stiffness, shape, material_);
         use[0] = std::max(use[0], used.tension);
@@ -48,15 +58,16 @@ void FixBondParallel::reduceTotals()
 
 double FixBondParallel::compute_vector(int n)
 {
-    if (totalsAt_ != evaluations_) {
-        reduceTotals();
+    if (countsAt_ != evaluations_) {
+        reduceCounts();
         flushEvents();
     }
+    if (n > 3 && totalsAt_ != evaluations_) reduceTotals();
     switch (n) {
-    case 0: return totals_[INTACT];
-    case 1: return totals_[TENSION] + totals_[SHEAR];
-    case 2: return totals_[TENSION];
-    case 3: return totals_[SHEAR];
+    case 0: return counts_[INTACT];
+    case 1: return counts_[TENSION] + counts_[SHEAR];
+    case 2: return counts_[TENSION];
+    case 3: return counts_[SHEAR];
     case 4: return totals_[ELASTIC];
     case 5: return totals_[DAMPED] + totals_[RELEASED];
     case 6: return use_[0];

@@ -63,8 +63,8 @@ void FixBondParallel::create()
         store_.owners[i].initial = static_cast<int>(array_atom[i][0]);
         array_atom[i][1] = array_atom[i][0];
     }
-    reduceTotals();
-    initialBonds_ = static_cast<bigint>(totals_[INTACT]);
+    reduceCounts();
+    initialBonds_ = static_cast<bigint>(counts_[INTACT]);
     double volume = 0;
     for (int i = 0; i < owned; ++i)
         if (atom->mask[i] & groupbit) volume += 4. / 3 * M_PI * std::pow(atom->radius[i], 3);
@@ -209,8 +209,8 @@ void FixBondParallel::dropMissing(const std::vector<int>& missing, bool renumber
 /// Bonds that neither broke nor are there any more went with particles that were deleted or left the box.
 void FixBondParallel::countLost()
 {
-    reduceTotals();
-    const bigint present = static_cast<bigint>(totals_[INTACT] + totals_[TENSION] + totals_[SHEAR]);
+    reduceCounts();
+    const bigint present = static_cast<bigint>(counts_[INTACT] + counts_[TENSION] + counts_[SHEAR]);
     const bigint lost = initialBonds_ - present;
     if (lost > lostBonds_ && comm->me == 0) {
         char text[256];
