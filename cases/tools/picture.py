@@ -91,7 +91,7 @@ def spheres_near_cut(run, time, within):
     with h5py.File(run / "particles.h5", "r") as file:
         snapshot = min(file["particles"].values(), key=lambda group: abs(group.attrs["time"] - time))
         if abs(snapshot.attrs["time"] - time) > within:
-            sys.exit(f"picture: {run}/particles.h5 has no snapshot within {within:.2g} s of the fluid's time {time:g} s")
+            sys.exit(f"picture: {run}/particles.h5 has no snapshot within {within:.2g} s of time {time:g} s")
         position, radius, velocity = (np.array(snapshot[name]) for name in ("position", "radius", "velocity"))
     near = np.flatnonzero(np.abs(position[:, 2]) <= 2 * radius)
     near = near[np.argsort(position[near, 2])]
