@@ -233,6 +233,15 @@ class Errors(Case):
         self.refused(MOVE + COUPLE + "run 100\n", "frazilDem's run ends 0.01 s after the start of the coupling (100 steps",
                      "Lengthen `run` to 2000 steps")
 
+    def test_the_wait_for_the_handshake(self):
+        """A fluid that reads a large mesh is late; the environment says how late it may be."""
+        self.addCleanup(os.environ.pop, "FRAZIL_HANDSHAKE_SECONDS")
+        os.environ["FRAZIL_HANDSHAKE_SECONDS"] = "1"
+        self.refused(MOVE + COUPLE + "run 2000\n", "waited 1 s for frazilFoam to greet",
+                     "FRAZIL_HANDSHAKE_SECONDS in the environment allows", late=5)
+        os.environ["FRAZIL_HANDSHAKE_SECONDS"] = "long"
+        self.refused(MOVE + COUPLE + "run 2000\n", "FRAZIL_HANDSHAKE_SECONDS", "is not a number above zero")
+
     def test_no_coupling_in_the_script(self):
         self.refused(MOVE + "run 10\n", "its input script has no fix couple/foam", "frazilFoam ends")
 

@@ -4,7 +4,8 @@
 /// Else every particle gets drag K (times its exposure) towards `u`, added mass `ma` with fluid acceleration `dudt`,
 /// and the passive force `passive`, all along x; the impulse that the particles report is summed up and printed at the
 /// end. A body `body` of volume `volume` gets the force `load` along x, from the second exchange on, as from frazilFoam.
-/// fails=exit|finalize|abort|throw|hang at=STEP: how it leaves early. quiet ends: steps, or the partner's end.
+/// fails=exit|finalize|abort|throw|hang at=STEP: how it leaves early. late=SECONDS: comes to the handshake
+/// late. quiet ends: steps, or the partner's end.
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -95,6 +96,7 @@ int main(int argc, char** argv)
     const int steps = int(arguments.number("steps", 20));
 
     FoamLink link;
+    sleep(unsigned(arguments.number("late", 0)));
     const FoamHello mine = greeting(arguments);
     const DemHello dem = link.handshake(mine);
     const World& world = World::instance();

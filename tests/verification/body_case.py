@@ -129,6 +129,13 @@ sigma {surface_tension};
 """
 
 
+# Keys of the exchange, which may stay in the file while it is off
+LEFT = """coarseGrid { min (0 0 0); max (1 1 1); cellSize 0.1; } dualGrid on; kernel trilinear; watchdog 600;
+prolongation { exponent 2; limiter cell; } voidFraction { min 0.25; } momentumExchange on;
+forces { drag DiFelice; pressureGradient on; viscous on; addedMass on; rotationalDrag off; shielding off; }
+"""
+
+
 def write_case(case, mesh, surface_y, times, bodies, gravity=9.81, top="open", sigma=0.0725, extra=""):
     """A tank of water up to surface_y [m] (None: full) with an open top and the bodies' dictionary text."""
     case = pathlib.Path(case)
@@ -140,7 +147,7 @@ def write_case(case, mesh, surface_y, times, bodies, gravity=9.81, top="open", s
     write(case / "constant/transportProperties", water_and_air(sigma))
     write(case / "constant/turbulenceProperties", "simulationType laminar;\n")
     write(case / "constant/g", f"dimensions [0 1 -2 0 0 0 0]; value (0 {-gravity} 0);\n", "uniformDimensionedVectorField")
-    write(case / "constant/couplingProperties", f"coupling off;\nbodies {{ {bodies} }}\n{extra}")
+    write(case / "constant/couplingProperties", f"coupling off;\n{LEFT}bodies {{ {bodies} }}\n{extra}")
     air_inlet = 1 if surface_y is None else 0
     patches = "top {{ {} }} walls {{ {} }}"
     write(case / "0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { "
