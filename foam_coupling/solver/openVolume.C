@@ -100,7 +100,7 @@ void openVolume::mergeSmallCells()
     // From the small cell to its neighbour on the fluid's side of the surface, weighted by the angle
     auto conductance = [](const scalar share, const scalar cosine)
     {
-        return mergeConductance*share*sqr(max(cosine, scalar(0)));
+        return share*sqr(max(cosine, scalar(0)));
     };
 
     forAll(merged, facei)
