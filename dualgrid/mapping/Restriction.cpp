@@ -18,7 +18,8 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells
             sum.velocity += w * flow.velocity[f];
             sum.pressureGradient += w * flow.pressureGradient[f];
             sum.viscousForce += w * flow.viscousForce[f];
-            sum.acceleration += w * flow.acceleration[f];
+            sum.accelerated += w * flow.accelerated(f);
+            sum.acceleration += w * flow.accelerated(f) * flow.acceleration[f];
             sum.vorticity += w * flow.vorticity[f];
         }
     }
@@ -33,10 +34,11 @@ void finishAverages(CoarseFluid& cell, double cellVolume)
     }
     const double scale = 1 / cell.fluidVolume;
     cell.wetFraction *= scale;
-    for (Vec3* average :
-         {&cell.velocity, &cell.pressureGradient, &cell.viscousForce, &cell.acceleration, &cell.vorticity}) {
+    for (Vec3* average : {&cell.velocity, &cell.pressureGradient, &cell.viscousForce, &cell.vorticity})
         *average *= scale;
-    }
+    if (cell.accelerated > 0)
+        cell.acceleration *= 1 / cell.accelerated;
+    cell.accelerated *= scale;
 }
 
 } // namespace frazil

@@ -30,8 +30,11 @@ struct FineFlow {
     const Vec3* viscousForce = nullptr;     ///< ∇·τ [N/m3]
     const Vec3* acceleration = nullptr;     ///< Du/Dt [m/s2]
     const Vec3* vorticity = nullptr;        ///< ∇×u [1/s]
+    /// Weight of the cell in the mean of Du/Dt [-], 0 where a body sets u; nullptr: 1 everywhere
+    const double* accelerationShare = nullptr;
 
     double open(std::size_t cell) const { return openFraction ? openFraction[cell] : 1.0; }
+    double accelerated(std::size_t cell) const { return accelerationShare ? accelerationShare[cell] : 1.0; }
 };
 
 /// The fluid in one coarse cell. Doubles only: it travels through the halo as such.
@@ -39,11 +42,12 @@ struct CoarseFluid {
     double openVolume = 0;  ///< Σ (1-γ) V of the fine parts in the cell [m3]
     double fluidVolume = 0; ///< Σ ε V [m3]
     double fluidMass = 0;   ///< Σ ρ ε V [kg]
-    double wetFraction = 0; ///< α1 [-]; here and below: sums while restricting, then averages
+    double accelerated = 0; ///< share of the fluid whose Du/Dt is known [-]; here and below: sums, then averages
+    double wetFraction = 0; ///< α1 [-]
     Vec3 velocity;          ///< [m/s]
     Vec3 pressureGradient;  ///< [Pa/m]
     Vec3 viscousForce;      ///< [N/m3]
-    Vec3 acceleration;      ///< [m/s2]
+    Vec3 acceleration;      ///< [m/s2], mean over that share
     Vec3 vorticity;         ///< [1/s]
 
     bool hasFluid() const { return fluidVolume > 0; }

@@ -3,12 +3,20 @@
 ///   spread     particles -> coarse grid: solid volume and impulse (trilinear, weights sum to one)
 ///   restrict   fine mesh -> coarse grid: fluid averages (2.24)
 ///   forces     gather the coarse fluid at each particle, force laws -> replies
-///   prolong    coarse grid -> fine mesh: solid fraction and reaction force, conservative per coarse cell
+///   prolong    coarse grid -> fine mesh: solid fraction and reaction force, conservative per coarse cell; drag and
+///              added mass of the coming step
 ///
-/// Momentum: the particles report the drag and added-mass impulse that they really received since the last exchange;
-/// the fluid gets exactly the opposite during its next step, one step late, with no estimate (physics: model A,
-/// S = -Σ (fd + fa)/V).
-/// Cost: O(particles x 8 + fine cells), eleven small halo exchanges, one Allreduce of 24 numbers. Buffers only
+/// Momentum (model A: S = -Σ (fd + fa)/V): the particles report the drag and added-mass impulse J that they really
+/// received since the last exchange, and the fluid gets exactly the opposite. That alone comes two exchanges after the
+/// velocity that caused it. Per fluid mass m, with κ = K Δt/m and γ = Ca αs/αf, λ³ - λ² + (κ+γ) λ - γ = 0: unstable in
+/// dense particles. So the host adds a conservative prediction: in step k the fluid gets the impulse
+///
+///   G_k = -(J_k + P_k - P_{k-1}),   P_k = Δt ΣK (u - v) + Σ Ca ρf V (u - u_old), implicit in u, per fine cell,
+///
+/// where what was predicted is given back as what really happened arrives: Σ G = -Σ J - P_last, exact up to the one
+/// amount held. (1+κ+γ) λ³ - (1+κ+2γ) λ² + (κ+2γ) λ - γ = 0 is stable for all κ, γ. FineSource has the coefficients;
+/// they follow the stencils of J and, within a coarse cell, the fluid's mass.
+/// Cost: O(particles x 8 + fine cells), thirteen small halo exchanges, one Allreduce of 23 numbers. Buffers only
 /// grow. Parallel: one object per fluid rank, every call is collective over the communicator. For one number of ranks
 /// the result does not depend on how the particles came in; between numbers of ranks it differs by round-off only.
 #pragma once
@@ -54,7 +62,7 @@ class CouplingStep
     /// @param particles  those whose centre lies in a coarse cell owned by this rank, sorted by id
     /// @param deltaT     the step that both programs are about to take [s]
     /// @param replies    out: one Interaction per particle, same order
-    /// @param source     out: αs and force for the coming step
+    /// @param source     out: αs, force and the coefficients of the prediction for the coming step
     Ledger advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
                    std::vector<Interaction>& replies, FineSource& source);
 
@@ -63,7 +71,7 @@ class CouplingStep
     /// Σ V_p in the cell, what was clipped excluded [m3]
     const CoarseField<double>& solidVolume() const { return scheme_->solidVolume; }
     const CoarseField<CoarseFluid>& fluid() const { return scheme_->fluid; }
-    /// On the particles, to be given to the fluid in the coming step [N s]
+    /// J: on the particles, to be given to the fluid in the coming step [N s]
     const CoarseField<Vec3>& impulse() const { return scheme_->impulse; }
     const PhaseTimer& timer() const { return scheme_->timer; }
 

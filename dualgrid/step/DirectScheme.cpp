@@ -9,6 +9,20 @@
 namespace frazil
 {
 
+namespace
+{
+
+/// Places in a list, in the order of the ids.
+template <class Item> std::vector<std::size_t> orderById(const std::vector<Item>& items)
+{
+    std::vector<std::size_t> order(items.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return items[a].id < items[b].id; });
+    return order;
+}
+
+} // namespace
+
 DirectScheme::DirectScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
                            const CoarseGrid& grid, MPI_Comm comm)
     : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), comm_(comm),
@@ -55,7 +69,9 @@ Ledger DirectScheme::advance(const ParticleView& particles, const FineFlow& flow
     }
     {
         const PhaseTimer::Scope scope(timer, PhaseTimer::forces);
-        answers = router_.answer(interact(visitors, flow, source));
+        const std::vector<Interaction> given = interact(visitors, flow, source);
+        react(visitors, given, source);
+        answers = router_.answer(given);
     }
     replies.assign(particles.count, Interaction{});
     for (std::size_t n = 0; n < who.size(); ++n)
@@ -137,11 +153,7 @@ std::vector<DirectScheme::Visitor> DirectScheme::depart(const ParticleView& part
 void DirectScheme::settle(const std::vector<Visitor>& visitors, const FineFlow& flow, double deltaT, FineSource& source,
                           Ledger& ledger) const
 {
-    std::vector<std::size_t> order(visitors.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return visitors[a].id < visitors[b].id; });
-    for (const std::size_t n : order) {
+    for (const std::size_t n : orderById(visitors)) {
         const Visitor& visitor = visitors[n];
         source.solidFraction[visitor.fineCell] += visitor.volume;
         source.force[visitor.fineCell] -= visitor.impulse / deltaT;
@@ -149,6 +161,19 @@ void DirectScheme::settle(const std::vector<Visitor>& visitors, const FineFlow& 
         ledger.coarseImpulse += visitor.impulse;
     }
     fitSolid(flow, source, ledger);
+}
+
+/// Drag and added mass into the particle's own cell.
+void DirectScheme::react(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers,
+                         FineSource& source) const
+{
+    if (!settings_.momentumExchange)
+        return;
+    for (const std::size_t n : orderById(visitors)) {
+        const double drag = answers[n].dragCoefficient;
+        source.addReaction(visitors[n].fineCell, drag, drag * visitors[n].state.velocity, answers[n].addedMass);
+    }
+    source.finishReaction();
 }
 
 /// From volume to αs, with what fits below the smallest fluid fraction.
@@ -175,9 +200,10 @@ std::vector<Interaction> DirectScheme::interact(const std::vector<Visitor>& visi
     forces_.withDrag([&](const auto& force) {
         for (std::size_t n = 0; n < visitors.size(); ++n) {
             const int f = visitors[n].fineCell;
+            const Vec3 acceleration = flow.accelerated(f) * flow.acceleration[f];
             const LocalFlow local{
                 1 - source.solidFraction[f], flow.wetFraction[f],  flow.velocity[f], flow.pressureGradient[f],
-                flow.viscousForce[f],        flow.acceleration[f], flow.vorticity[f]};
+                flow.viscousForce[f],        acceleration,         flow.vorticity[f]};
             answers[n] = force(local, visitors[n].state, water_, air_);
         }
     });

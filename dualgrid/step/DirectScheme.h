@@ -46,6 +46,7 @@ class DirectScheme : public CouplingScheme
                                 std::vector<std::size_t>& who, Ledger& ledger);
     void settle(const std::vector<Visitor>& visitors, const FineFlow& flow, double deltaT, FineSource& source,
                 Ledger& ledger) const;
+    void react(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers, FineSource& source) const;
     void fitSolid(const FineFlow& flow, FineSource& source, Ledger& ledger) const;
     std::vector<Interaction> interact(const std::vector<Visitor>& visitors, const FineFlow& flow,
                                       const FineSource& source) const;

@@ -28,10 +28,11 @@ Ledger DualGridScheme::advance(const ParticleView& particles, const FineFlow& fl
                                std::vector<Interaction>& replies, FineSource& source)
 {
     Ledger ledger;
-    restrictFluid(flow);                          // fine -> coarse: averages of the fluid
-    project(particles, ledger);                   // particles -> coarse: solid volume, impulse
-    interact(particles, deltaT, replies, ledger); // coarse -> particles: local flow, force laws
-    prolong(flow, deltaT, source);                // coarse -> fine: αs, force on the fluid
+    restrictFluid(flow);                // fine -> coarse: averages of the fluid
+    project(particles, ledger);         // particles -> coarse: solid volume, impulse
+    interact(particles, replies);       // coarse -> particles: local flow, force laws
+    spreadReaction(particles, replies); // particles -> coarse: drag and added mass
+    prolong(flow, deltaT, source);      // coarse -> fine: αs, force on the fluid, drag and added mass
     ledger.addFine(flow, source.solidFraction, source.force, deltaT);
     ledger.sumOver(comm_);
     return ledger;
@@ -46,9 +47,11 @@ void DualGridScheme::restrictFluid(const FineFlow& flow)
         finishAverages(fluid[c], cells.grid().cellVolume());
     plan_.update(fluid.data());
     openVolume_.reset(cells);
+    fluidVolume_.reset(cells);
     fluidMass_.reset(cells);
     for (int c = 0; c < cells.count(); ++c) {
         openVolume_[c] = fluid[c].openVolume;
+        fluidVolume_[c] = fluid[c].fluidVolume;
         fluidMass_[c] = fluid[c].fluidMass;
     }
 }
@@ -70,23 +73,22 @@ void DualGridScheme::spreadParticles(const ParticleView& particles, Ledger& ledg
 {
     solidVolume.reset(cells);
     impulse.reset(cells);
-    stencils_.resize(particles.count);
-    dry_.resize(particles.count);
+    windows_.resize(particles.count);
     ledger.particles = std::int64_t(particles.count);
     for (std::size_t i = 0; i < particles.count; ++i) {
         homeOf(particles, i, cells); // refuses a particle that is not ours
-        Stencil& stencil = stencils_[i] = stencilOf(cells, particles.position[i]);
-        Stencil byMass = stencil;
-        dry_[i] = !reweigh(stencil, openVolume_);
+        Windows& window = windows_[i];
+        window.solid = window.flow = window.mass = stencilOf(cells, particles.position[i]);
+        reweigh(window.solid, openVolume_);
+        window.dry = !reweigh(window.flow, fluidVolume_);
         const double volume = volumeOf(particles, i);
-        spread(stencil, volume, solidVolume);
+        spread(window.solid, volume, solidVolume);
         ledger.particleVolume += volume;
-        ledger.dryParticles += dry_[i];
+        ledger.dryParticles += window.dry;
         if (!settings_.momentumExchange)
             continue;
-        // By mass: a particle at the surface pushes the water, not the air above it.
-        reweigh(byMass, fluidMass_);
-        spread(byMass, particles.impulse[i], impulse);
+        reweigh(window.mass, fluidMass_);
+        spread(window.mass, particles.impulse[i], impulse);
         ledger.received += particles.impulse[i];
         ledger.impulseScale += norm(particles.impulse[i]);
     }
@@ -125,54 +127,59 @@ void DualGridScheme::placeImpulse(Ledger& ledger)
     }
 }
 
-void DualGridScheme::interact(const ParticleView& particles, double deltaT, std::vector<Interaction>& replies,
-                              Ledger& ledger)
+void DualGridScheme::interact(const ParticleView& particles, std::vector<Interaction>& replies)
 {
     const PhaseTimer::Scope scope(timer, PhaseTimer::forces);
     replies.assign(particles.count, Interaction{});
     forces_.withDrag([&](const auto& force) {
         for (std::size_t i = 0; i < particles.count; ++i) {
-            if (dry_[i])
-                continue;
-            replies[i] = force(flowAt(stencils_[i]), stateOf(particles, i), water_, air_);
-            if (!settings_.momentumExchange)
-                continue; // no answer of the fluid, no lag
-            const double largest = largestDrag(stencils_[i], volumeOf(particles, i), deltaT);
-            if (replies[i].dragCoefficient > largest) {
-                replies[i].dragCoefficient = largest;
-                ++ledger.limitedDrags;
-            }
+            if (!windows_[i].dry)
+                replies[i] = force(flowAt(i), stateOf(particles, i), water_, air_);
         }
     });
 }
 
-double DualGridScheme::largestDrag(const Stencil& stencil, double volume, double deltaT) const
+LocalFlow DualGridScheme::flowAt(std::size_t particle) const
 {
-    double mass = 0, solid = 0; // per stencil, the weights cancel in the ratio
-    for (int n = 0; n < 8; ++n) {
-        const int c = stencil.cell[n];
-        mass += stencil.weight[n] * fluidMass_[c];
-        solid += stencil.weight[n] * solidVolume[c];
-    }
-    return 0.5 * mass * volume / (solid * deltaT);
-}
-
-LocalFlow DualGridScheme::flowAt(const Stencil& stencil) const
-{
+    const Windows& window = windows_[particle];
     LocalFlow flow;
-    flow.fluidFraction = 1 - gather(stencil, solidFraction_);
+    flow.fluidFraction = 1 - gather(window.solid, solidFraction_);
     flow.wetFraction = 0;
+    double accelerated = 0;
     for (int n = 0; n < 8; ++n) {
-        const CoarseFluid& cell = fluid[stencil.cell[n]];
-        const double w = stencil.weight[n];
+        const CoarseFluid& cell = fluid[window.flow.cell[n]];
+        const double w = window.flow.weight[n];
         flow.wetFraction += w * cell.wetFraction;
         flow.velocity += w * cell.velocity;
         flow.pressureGradient += w * cell.pressureGradient;
         flow.viscousForce += w * cell.viscousForce;
-        flow.acceleration += w * cell.acceleration;
+        flow.acceleration += w * cell.accelerated * cell.acceleration;
+        accelerated += w * cell.accelerated;
         flow.vorticity += w * cell.vorticity;
     }
+    if (accelerated > 0)
+        flow.acceleration *= 1 / accelerated;
     return flow;
+}
+
+void DualGridScheme::spreadReaction(const ParticleView& particles, const std::vector<Interaction>& replies)
+{
+    const PhaseTimer::Scope scope(timer, PhaseTimer::projection);
+    reaction_.reset(cells);
+    if (!settings_.momentumExchange)
+        return;
+    for (std::size_t i = 0; i < particles.count; ++i) {
+        const double drag = replies[i].dragCoefficient, mass = replies[i].addedMass;
+        const Vec3 momentum = drag * particles.velocity[i];
+        const Stencil& window = windows_[i].mass;
+        for (int n = 0; n < 8; ++n) {
+            Reaction& reaction = reaction_[window.cell[n]];
+            reaction.drag += window.weight[n] * drag;
+            reaction.dragMomentum += window.weight[n] * momentum;
+            reaction.addedMass += window.weight[n] * mass;
+        }
+    }
+    complete(reaction_);
 }
 
 void DualGridScheme::prolong(const FineFlow& flow, double deltaT, FineSource& source)
@@ -181,6 +188,7 @@ void DualGridScheme::prolong(const FineFlow& flow, double deltaT, FineSource& so
     source.reset(flow.count);
     prolongSolid(flow, source);
     prolongForce(flow, deltaT, source);
+    prolongReaction(flow, source);
 }
 
 void DualGridScheme::prolongSolid(const FineFlow& flow, FineSource& source)
@@ -212,6 +220,23 @@ void DualGridScheme::prolongForce(const FineFlow& flow, double deltaT, FineSourc
     const double none = std::numeric_limits<double>::infinity();
     forceProlongation_.spread(parts_, acceleration_, fluidMass_, density_.data(), vectorMoment_, -none, none,
                               source.force.data());
+}
+
+/// By the share of the coarse cell's fluid mass, no slope: a coefficient must not be negative.
+void DualGridScheme::prolongReaction(const FineFlow& flow, FineSource& source)
+{
+    for (int row = 0; row < parts_.rows(); ++row) {
+        const int cell = parts_.coarseCell(row);
+        const Reaction& reaction = reaction_[cell];
+        if (!(fluidMass_[cell] > 0) || !(reaction.drag > 0 || reaction.addedMass > 0))
+            continue;
+        for (const FinePart* part = parts_.begin(row); part != parts_.end(row); ++part) {
+            const int f = part->fineCell;
+            const double share = flow.density[f] * flow.fluidFraction[f] * part->volume / fluidMass_[cell];
+            source.addReaction(f, share * reaction.drag, share * reaction.dragMomentum, share * reaction.addedMass);
+        }
+    }
+    source.finishReaction();
 }
 
 } // namespace frazil

@@ -1,9 +1,4 @@
 /// The coupling through the coarse grid: the algorithm that CouplingStep.h describes.
-///
-/// Limit of the lag: the fluid answers an impulse two exchanges after the velocity that caused it. For one fluid cell
-/// of mass m and Σ K = K_c that is u(k+2) = u(k+1) - (K_c Δt/m) u(k), stable for K_c Δt < m only. A particle's K is
-/// therefore held below half of its share of the fluid mass, ρ αf V_p/αs, per Δt. In ordinary flow K is far below;
-/// where it is not (a dense plate shot through, or a fluid step that is too long) the ledger counts the particles.
 #pragma once
 
 #include "CouplingScheme.h"
@@ -30,12 +25,27 @@ class DualGridScheme : public CouplingScheme
     void spreadParticles(const ParticleView& particles, Ledger& ledger);
     void fitSolid(Ledger& ledger);
     void placeImpulse(Ledger& ledger);
-    void interact(const ParticleView& particles, double deltaT, std::vector<Interaction>& replies, Ledger& ledger);
-    double largestDrag(const Stencil& stencil, double volume, double deltaT) const;
-    LocalFlow flowAt(const Stencil& stencil) const;
+    void interact(const ParticleView& particles, std::vector<Interaction>& replies);
+    LocalFlow flowAt(std::size_t particle) const;
+    void spreadReaction(const ParticleView& particles, const std::vector<Interaction>& replies);
     void prolong(const FineFlow& flow, double deltaT, FineSource& source);
     void prolongSolid(const FineFlow& flow, FineSource& source);
     void prolongForce(const FineFlow& flow, double deltaT, FineSource& source);
+    void prolongReaction(const FineFlow& flow, FineSource& source);
+
+    /// A particle's window on the coarse grid, by what it is needed for.
+    struct Windows {
+        Stencil solid; ///< weighted by open volume: where its volume goes
+        Stencil flow;  ///< by fluid volume: where it sees the flow
+        Stencil mass;  ///< by fluid mass: where its reaction goes; at the surface the water, not the air above it
+        bool dry;      ///< no fluid in it
+    };
+    /// Of the particles in a coarse cell. Doubles only: it travels through the halo as such.
+    struct Reaction {
+        double drag = 0;      ///< Σ K [kg/s]
+        Vec3 dragMomentum;    ///< Σ K v [N]
+        double addedMass = 0; ///< [kg]
+    };
 
     /// Every rank's contributions to the owner, the owner's sum to every copy.
     template <class T> void complete(CoarseField<T>& field)
@@ -51,15 +61,16 @@ class DualGridScheme : public CouplingScheme
     Prolongation<Vec3> forceProlongation_;
 
     CoarseField<double> openVolume_;    ///< [m3]
+    CoarseField<double> fluidVolume_;   ///< [m3]
     CoarseField<double> fluidMass_;     ///< [kg]
     CoarseField<double> solidFraction_; ///< αs of the open volume [-]
     CoarseField<Vec3> acceleration_;    ///< of the fluid by the particles [m/s2]
     CoarseField<double> scalarMoment_;
     CoarseField<Vec3> vectorMoment_;
-    std::vector<Vec3> carried_;     ///< per owned cell: impulse that found no fluid yet [N s]
-    std::vector<Stencil> stencils_; ///< per particle, weighted by open volume
-    std::vector<char> dry_;         ///< per particle: no fluid in the stencil
-    std::vector<double> density_;   ///< per fine cell: what a prolonged value is per, 1/m3 of it
+    CoarseField<Reaction> reaction_;
+    std::vector<Vec3> carried_;    ///< per owned cell: impulse that found no fluid yet [N s]
+    std::vector<Windows> windows_; ///< per particle
+    std::vector<double> density_;  ///< per fine cell: what a prolonged value is per, 1/m3 of it
 };
 
 } // namespace frazil

@@ -33,9 +33,9 @@ void Ledger::sumOver(MPI_Comm comm)
 {
     double* const numbers[] = {&particleVolume, &coarseVolume, &fineVolume, &clippedVolume, &impulseScale};
     Vec3* const vectors[] = {&received, &carriedIn, &coarseImpulse, &given, &unplaced};
-    std::int64_t* const counts[] = {&particles, &dryParticles, &limitedDrags, &clippedCells};
+    std::int64_t* const counts[] = {&particles, &dryParticles, &clippedCells};
 
-    double sums[24];
+    double sums[23];
     int n = 0;
     for (const double* number : numbers)
         sums[n++] = *number;
@@ -79,20 +79,21 @@ double Ledger::impulseErrorFine() const
 
 std::string Ledger::csvHeader()
 {
-    return "time,particles,dryParticles,limitedDrags,volumeParticles,volumeCoarse,volumeFine,volumeClipped,"
+    return "time,particles,dryParticles,volumeParticles,volumeCoarse,volumeFine,volumeClipped,"
            "cellsClipped,"
            "volumeErrorCoarse,volumeErrorFine,"
            "impulseReceivedX,impulseReceivedY,impulseReceivedZ,impulseCarriedX,impulseCarriedY,impulseCarriedZ,"
            "impulseCoarseX,impulseCoarseY,impulseCoarseZ,impulseFineX,impulseFineY,impulseFineZ,"
-           "impulseUnplacedX,impulseUnplacedY,impulseUnplacedZ,impulseErrorCoarse,impulseErrorFine";
+           "impulseUnplacedX,impulseUnplacedY,impulseUnplacedZ,impulseHeldX,impulseHeldY,impulseHeldZ,"
+           "impulseErrorCoarse,impulseErrorFine";
 }
 
 std::string Ledger::csvLine(double time) const
 {
-    std::string line = fmt::format("{:.9g},{},{},{},{:.17g},{:.17g},{:.17g},{:.6g},{},{:.3g},{:.3g}", time, particles,
-                                   dryParticles, limitedDrags, particleVolume, coarseVolume, fineVolume, clippedVolume,
+    std::string line = fmt::format("{:.9g},{},{},{:.17g},{:.17g},{:.17g},{:.6g},{},{:.3g},{:.3g}", time, particles,
+                                   dryParticles, particleVolume, coarseVolume, fineVolume, clippedVolume,
                                    clippedCells, volumeErrorCoarse(), volumeErrorFine());
-    for (const Vec3* v : {&received, &carriedIn, &coarseImpulse, &given, &unplaced}) {
+    for (const Vec3* v : {&received, &carriedIn, &coarseImpulse, &given, &unplaced, &held}) {
         line += fmt::format(",{:.17g},{:.17g},{:.17g}", v->x, v->y, v->z);
     }
     return line + fmt::format(",{:.3g},{:.3g}", impulseErrorCoarse(), impulseErrorFine());

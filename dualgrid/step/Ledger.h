@@ -28,11 +28,13 @@ struct Ledger {
     Vec3 coarseImpulse; ///< on the coarse grid after projection, carriedIn included
     Vec3 given;         ///< to the fine mesh in the coming step, sign of the particles' (force on fluid = -given/Δt)
     Vec3 unplaced;      ///< in coarse cells without fluid, tried again next step
+    /// Prediction that the fluid has got ahead and gives back in the coming step (CouplingStep.h), sign of the
+    /// particles'. Set by the host after advance(), summed over the ranks already.
+    Vec3 held;
     double impulseScale = 0; ///< Σ |impulse_p| + Σ |carried|, what the errors are relative to
 
     std::int64_t particles = 0;
     std::int64_t dryParticles = 0; ///< with no fluid in their whole stencil: they feel nothing
-    std::int64_t limitedDrags = 0; ///< particles whose drag coefficient was limited (DualGridScheme.h)
     std::int64_t clippedCells = 0; ///< coarse cells (dualGrid off: fine cells) with clipped volume
 
     /// Adds what the fine mesh of this rank got: αs, and the force [N] over the coming step.

@@ -89,20 +89,7 @@ Foam::fluidCoupling::fluidCoupling
         dimensionedScalar("one", dimless, 1.0),
         zeroGradientFvPatchScalarField::typeName
     ),
-    particleForce_
-    (
-        IOobject
-        (
-            "particleForce",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::AUTO_WRITE
-        ),
-        mesh,
-        dimensionedVector(dimForce/dimVolume, Zero),
-        zeroGradientFvPatchVectorField::typeName
-    ),
+    reaction_(mesh),
     fluidFractionRead_(fluidFraction_.headerOk())
 {
     const dictionary bodies(couplingProperties.subOrEmptyDict("bodies"));
@@ -173,18 +160,13 @@ void Foam::fluidCoupling::updateParticles()
     fluidFraction_.storeOldTimes();
 
     scalarField& alphaf = fluidFraction_.primitiveFieldRef();
-    vectorField& force = particleForce_.primitiveFieldRef();
-    const scalarField& V = mesh_.V();
-
     forAll(alphaf, celli)
     {
-        const frazil::Vec3& f = source.force[celli];
         alphaf[celli] = 1 - source.solidFraction[celli];
-        force[celli] = vector(f.x, f.y, f.z)/V[celli];
     }
 
     fluidFraction_.correctBoundaryConditions();
-    particleForce_.correctBoundaryConditions();
+    reaction_.take(source);
 
     // At the very start the particles have always been where they are
     if (firstStep_ && !fluidFractionRead_)
@@ -216,7 +198,11 @@ Foam::scalar Foam::fluidCoupling::beginStep
     const scalar deltaT
 )
 {
-    deltaT_ = exchange_ ? exchange_->exchange(flow, deltaT) : deltaT;
+    deltaT_ = deltaT;
+    if (exchange_)
+    {
+        deltaT_ = exchange_->exchange(flow, deltaT, vec3(reaction_.ahead()));
+    }
     return deltaT_;
 }
 

@@ -279,6 +279,10 @@ frazil::FineFlow Foam::pairExchange::fineFlow(const flowOnParticles& flow) const
     fine.viscousForce = asVec3(flow.viscousForce);
     fine.acceleration = asVec3(flow.acceleration);
     fine.vorticity = asVec3(flow.vorticity);
+    if (!flow.accelerationShare.empty())
+    {
+        fine.accelerationShare = flow.accelerationShare.cdata();
+    }
     return fine;
 }
 
@@ -372,7 +376,8 @@ void Foam::pairExchange::learnKeys(const frazil::Settings& settings)
 Foam::scalar Foam::pairExchange::exchange
 (
     const flowOnParticles& flow,
-    const scalar deltaT
+    const scalar deltaT,
+    const frazil::Vec3& held
 )
 {
     const double start = wallTime();
@@ -392,10 +397,11 @@ Foam::scalar Foam::pairExchange::exchange
         cutFineCells();
     }
 
-    const frazil::Ledger ledger = step_.advance
+    frazil::Ledger ledger = step_.advance
     (
         particles.view(), fineFlow(flow), step.deltaT, replies_, source_
     );
+    ledger.held = held;
 
     link_.sendReplies(replies_);
     link_.sendBodyLoads(bodyLoads_);

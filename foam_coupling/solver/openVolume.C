@@ -144,8 +144,7 @@ openVolume::openVolume(const fvMesh& mesh)
 :
     mesh_(mesh),
     bodies_(nullptr),
-    fluidFraction_(nullptr),
-    particleForce_(nullptr)
+    fluidFraction_(nullptr)
 {}
 
 
@@ -154,14 +153,12 @@ openVolume::openVolume(const fvMesh& mesh)
 void openVolume::use
 (
     const volScalarField& fluidFraction,
-    const volVectorField& particleForce,
     const immersedBodies* bodies,
     const surfaceScalarField& phi,
     const volScalarField& rho
 )
 {
     fluidFraction_ = &fluidFraction;
-    particleForce_ = &particleForce;
     bodies_ = bodies;
 
     const dimensionedScalar one("one", dimless, 1.0);
@@ -472,9 +469,8 @@ scalar openVolume::courantNumber(const surfaceScalarField& phi) const
 }
 
 
-void openVolume::addForces(fvVectorMatrix& UEqn, const volScalarField& rho, const volVectorField& U)
+void openVolume::anchor(fvVectorMatrix& UEqn, const volScalarField& rho, const volVectorField& U)
 {
-    UEqn -= *particleForce_;
     if (bodies_)
     {
         const volScalarField coefficient(anchoring()*rho/mesh_.time().deltaT());

@@ -4,6 +4,7 @@
 /// straddle coarse cells, it leaves a part of the coarse grid dry, and some particles sit exactly on rank boundaries.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -16,6 +17,7 @@ namespace
 {
 
 const Phase water{1000, 1e-3}, air{1.2, 1.8e-5};
+const Phase syrup{1000, 1e4}; // drag is linear in it
 const Vec3 gravity{0, 0, -9.81};
 const Box box{{0, 0, 0}, {6, 5, 5}};
 const double deltaT = 0.01;
@@ -139,11 +141,11 @@ struct Coupling {
     FineSource source;
     Ledger ledger;
 
-    Coupling(MPI_Comm comm, const Settings& settings)
-        : comm(comm), grid(box, 1, sizeOf(comm), gravity), step(settings, grid, water, air, comm)
+    Coupling(MPI_Comm comm, const Settings& settings, const Phase& liquid = water)
+        : comm(comm), grid(box, 1, sizeOf(comm), gravity), step(settings, grid, liquid, air, comm)
     {
     }
-    void advance(double length, int number, double deltaT = ::deltaT)
+    void advance(double length, int number)
     {
         mesh = std::make_unique<FineMesh>(rankOf(comm), sizeOf(comm), length);
         step.setParts(mesh->pieces(grid));
@@ -180,11 +182,14 @@ void expectSameAsSerial(const Coupling& run, const Coupling& serial)
         const int whole = run.mesh->whole[f];
         EXPECT_NEAR(run.source.solidFraction[f], serial.source.solidFraction[whole], 1e-13);
         expectSame(run.source.force[f], serial.source.force[whole], largest);
+        const double drag = serial.source.drag[whole], mass = serial.source.addedMass[whole];
+        EXPECT_NEAR(run.source.drag[f], drag, 1e-12 * drag);
+        EXPECT_NEAR(run.source.addedMass[f], mass, 1e-12 * mass);
+        expectSame(run.source.dragVelocity[f], serial.source.dragVelocity[whole], 100);
     }
     EXPECT_EQ(run.ledger.particles, 400);
     EXPECT_EQ(run.ledger.dryParticles, serial.ledger.dryParticles);
     EXPECT_EQ(run.ledger.clippedCells, serial.ledger.clippedCells);
-    EXPECT_EQ(run.ledger.limitedDrags, serial.ledger.limitedDrags);
     EXPECT_NEAR(run.ledger.clippedVolume, serial.ledger.clippedVolume, 1e-13 * serial.ledger.particleVolume);
     expectSame(run.ledger.unplaced, serial.ledger.unplaced, serial.ledger.impulseScale);
 }
@@ -199,6 +204,35 @@ void expectClosed(const Ledger& ledger)
     EXPECT_LT(ledger.impulseErrorFine(), 1e-12);
 }
 
+/// Drag, its momentum and added mass of the replies are on the fine mesh as a whole.
+void expectReactionPlaced(const Coupling& run)
+{
+    const Spheres spheres(run.grid, rankOf(run.comm), 0);
+    double sums[5] = {}, scale[2] = {};
+    for (std::size_t p = 0; p < run.replies.size(); ++p) {
+        const double k = run.replies[p].dragCoefficient;
+        const Vec3 momentum = k * spheres.velocity[p];
+        sums[0] += k;
+        sums[1] += run.replies[p].addedMass;
+        for (int a = 0; a < 3; ++a)
+            sums[2 + a] += momentum[a];
+        scale[0] += norm(momentum);
+    }
+    scale[1] = sums[1];
+    for (std::size_t f = 0; f < run.source.drag.size(); ++f) {
+        const double k = run.source.drag[f];
+        sums[0] -= k;
+        sums[1] -= run.source.addedMass[f];
+        for (int a = 0; a < 3; ++a)
+            sums[2 + a] -= k * run.source.dragVelocity[f][a];
+    }
+    MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPI_DOUBLE, MPI_SUM, run.comm);
+    MPI_Allreduce(MPI_IN_PLACE, scale, 2, MPI_DOUBLE, MPI_SUM, run.comm);
+    for (const int n : {0, 2, 3, 4})
+        EXPECT_NEAR(sums[n], 0, 1e-12 * scale[0]);
+    EXPECT_NEAR(sums[1], 0, 1e-12 * scale[1]);
+}
+
 void compareThreeSteps(const Settings& settings)
 {
     Coupling run(MPI_COMM_WORLD, settings), serial(MPI_COMM_SELF, settings);
@@ -209,6 +243,7 @@ void compareThreeSteps(const Settings& settings)
         serial.advance(lengths[step], step);
         expectSameAsSerial(run, serial);
         expectClosed(run.ledger);
+        expectReactionPlaced(run);
         expectSame(run.ledger.carriedIn, carried, run.ledger.impulseScale);
         carried = run.ledger.unplaced;
         EXPECT_GT(run.ledger.clippedVolume, 0) << "the heap does not fit";
@@ -267,24 +302,137 @@ TEST(CouplingStep, StillWaterGivesBuoyancyAlone)
     }
 }
 
-TEST(CouplingStep, DragIsLimitedOnlyInLongSteps)
+/// A fluid of single cells that does what the host does: u from the reported impulse and the prediction.
+struct PredictedFluid {
+    std::vector<Vec3> velocity, held; ///< per fine cell [m/s], [N s]
+
+    void advance(const FineFlow& flow, const FineSource& source, double deltaT)
+    {
+        velocity.resize(flow.count);
+        held.resize(flow.count);
+        for (std::size_t f = 0; f < flow.count; ++f) {
+            const double mass = flow.density[f] * flow.fluidFraction[f] * flow.volume[f];
+            if (!(mass > 0))
+                continue;
+            const double drag = deltaT * source.drag[f], added = source.addedMass[f];
+            const Vec3 old = velocity[f];
+            const Vec3 given = deltaT * source.force[f] + held[f] + drag * source.dragVelocity[f] + added * old;
+            velocity[f] = (1 / (mass + drag + added)) * (mass * old + given);
+            held[f] = drag * (velocity[f] - source.dragVelocity[f]) + added * (velocity[f] - old);
+        }
+    }
+};
+
+Vec3 sumOver(MPI_Comm comm, Vec3 v)
 {
-    const Settings settings("constant/couplingProperties", "");
-    Coupling run(MPI_COMM_SELF, settings);
-    run.advance(6, 0, 1e-6);
-    EXPECT_EQ(run.ledger.limitedDrags, 0);
-    double inShortStep = 0, inLongStep = 0, fluidMass = 0;
-    for (const Interaction& reply : run.replies)
-        inShortStep += reply.dragCoefficient;
-    const double tenSeconds = 10;
-    run.advance(6, 0, tenSeconds);
-    for (const Interaction& reply : run.replies)
-        inLongStep += reply.dragCoefficient;
-    for (int c = 0; c < run.step.cells().ownedCount(); ++c)
-        fluidMass += run.step.fluid()[c].fluidMass;
-    EXPECT_GT(run.ledger.limitedDrags, 0);
-    EXPECT_LT(inLongStep, inShortStep);
-    EXPECT_LT(inLongStep * tenSeconds, 0.5 * fluidMass);
+    MPI_Allreduce(MPI_IN_PLACE, &v, 3, MPI_DOUBLE, MPI_SUM, comm);
+    return v;
+}
+
+/// Spheres that are held at rest and densely packed in a stream, in a mesh without bodies, under water as a whole.
+struct HeldSpheres {
+    Coupling run;
+    FineMesh mesh;
+    PredictedFluid fluid;
+    std::vector<std::int64_t> id;
+    std::vector<Vec3> position, zero, impulse, before;
+    std::vector<double> radius, exposure;
+
+    HeldSpheres(MPI_Comm comm, const Settings& settings)
+        : run(comm, settings, syrup), mesh(rankOf(comm), sizeOf(comm), box.max.x)
+    {
+        std::fill(mesh.wet.begin(), mesh.wet.end(), 1.0);
+        std::fill(mesh.density.begin(), mesh.density.end(), syrup.density);
+        std::fill(mesh.open.begin(), mesh.open.end(), 1.0);
+        std::fill(mesh.epsilon.begin(), mesh.epsilon.end(), 0.35);
+        fluid.velocity.assign(mesh.volume.size(), Vec3{0, 0, 2});
+        fluid.held.resize(mesh.volume.size());
+        before = fluid.velocity;
+        run.step.setParts(mesh.pieces(run.grid));
+        run.step.setLocator([this](const Vec3& p) { return mesh.cellAt(p); });
+        const int n[3] = {24, 20, 20}; // αs = 0.52
+        for (int s = 0; s < n[0] * n[1] * n[2]; ++s) {
+            const Vec3 p = 0.25 * Vec3{s % n[0] + 0.5, s / n[0] % n[1] + 0.5, s / n[0] / n[1] + 0.5};
+            if (run.grid.ownerOf(p) != rankOf(comm))
+                continue;
+            id.push_back(s);
+            position.push_back(p);
+        }
+        zero.resize(id.size());
+        impulse.resize(id.size());
+        radius.assign(id.size(), 0.125);
+        exposure.assign(id.size(), 1);
+    }
+    void advance(double deltaT)
+    {
+        mesh.velocity = fluid.velocity;
+        for (std::size_t f = 0; f < before.size(); ++f)
+            mesh.acceleration[f] = (1 / deltaT) * (fluid.velocity[f] - before[f]);
+        before = fluid.velocity;
+        const ParticleView view{id.size(),   id.data(),     position.data(), zero.data(),
+                                zero.data(), radius.data(), exposure.data(), impulse.data()};
+        run.ledger = run.step.advance(view, mesh.flow(), deltaT, run.replies, run.source);
+        fluid.advance(mesh.flow(), run.source, deltaT);
+        for (std::size_t p = 0; p < id.size(); ++p) {
+            const Interaction& r = run.replies[p];
+            impulse[p] = deltaT * (r.dragCoefficient * r.fluidVelocity + r.addedMass * r.fluidAcceleration);
+        }
+    }
+    Vec3 momentum() const
+    {
+        Vec3 sum;
+        const FineFlow flow = mesh.flow();
+        for (std::size_t f = 0; f < flow.count; ++f)
+            sum += flow.density[f] * flow.fluidFraction[f] * flow.volume[f] * fluid.velocity[f];
+        return sumOver(run.comm, sum);
+    }
+    Vec3 held() const
+    {
+        Vec3 sum;
+        for (const Vec3& h : fluid.held)
+            sum += h;
+        return sumOver(run.comm, sum);
+    }
+};
+
+/// Dense spheres at rest stop a stream: no momentum but what they report and what is held, and it dies out.
+void stopAStream(const Settings& settings, double deltaT)
+{
+    HeldSpheres stream(MPI_COMM_WORLD, settings), serial(MPI_COMM_SELF, settings);
+    const double start = norm(stream.momentum());
+    const Vec3 first = stream.momentum();
+    Vec3 reported;
+    double last = start, scale = 0;
+    for (int step = 0; step < 40; ++step) {
+        stream.advance(deltaT);
+        serial.advance(deltaT);
+        EXPECT_LT(stream.run.ledger.impulseErrorFine(), 1e-12);
+        reported += stream.run.ledger.received;
+        scale += stream.run.ledger.impulseScale;
+        const Vec3 momentum = stream.momentum();
+        EXPECT_LT(norm(momentum + reported + stream.held() - first), 1e-12 * (start + scale)) << "step " << step;
+        expectSame(momentum, serial.momentum(), 10 * (start + scale));
+        EXPECT_LE(norm(momentum), 1.01 * start) << "step " << step;
+        last = norm(momentum);
+    }
+    EXPECT_LT(last, 0.2 * start);
+}
+
+/// ΣK Δt over the mass of the fluid: far below, near and far above 1.
+const double dragSteps[] = {5e-6, 3e-5, 1e-3};
+
+TEST(CouplingStep, PredictionConservesAndDamps)
+{
+    for (const double deltaT : dragSteps)
+        stopAStream(Settings("constant/couplingProperties", ""), deltaT);
+}
+
+TEST(CouplingStep, DirectPredictionConservesAndDamps)
+{
+    Settings settings("constant/couplingProperties", "");
+    settings.set("dualGrid", "off");
+    for (const double deltaT : dragSteps)
+        stopAStream(settings, deltaT);
 }
 
 TEST(CouplingStep, OneWayGivesTheFluidNothing)
@@ -293,8 +441,11 @@ TEST(CouplingStep, OneWayGivesTheFluidNothing)
     settings.set("momentumExchange", "off");
     Coupling run(MPI_COMM_WORLD, settings);
     run.advance(6, 0);
-    for (const Vec3& force : run.source.force)
-        EXPECT_EQ(norm(force), 0);
+    for (std::size_t f = 0; f < run.source.force.size(); ++f) {
+        EXPECT_EQ(norm(run.source.force[f]), 0);
+        EXPECT_EQ(run.source.drag[f], 0);
+        EXPECT_EQ(run.source.addedMass[f], 0);
+    }
     EXPECT_EQ(norm(run.ledger.given), 0);
 }
 

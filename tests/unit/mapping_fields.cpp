@@ -137,6 +137,21 @@ TEST(Restriction, LinearFieldGivesItsValueAtTheFluidsCentroid)
     EXPECT_DOUBLE_EQ(fluid[0].fluidVolume, 0.625);
 }
 
+TEST(Restriction, AccelerationWhereTheFluidSetsItAlone)
+{
+    const CoarseGrid grid(Box{{0, 0, 0}, {1, 1, 1}}, 1, 1, {});
+    const LocalCells cells(grid, 0);
+    const FineParts parts({{0, 0, 0.25, {0.125, 0.5, 0.5}}, {1, 0, 0.75, {0.625, 0.5, 0.5}}}, cells);
+    const double volume[] = {0.25, 0.75}, epsilon[] = {1, 0.5}, density[] = {1, 1}, wet[] = {1, 1}, share[] = {1, 0};
+    const Vec3 acceleration[] = {{3, 0, 0}, {1e6, 0, 0}}, zero[2] = {};
+    CoarseField<CoarseFluid> fluid;
+    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, zero, zero, zero, acceleration, zero, share}, cells,
+                 fluid);
+    finishAverages(fluid[0], 1);
+    EXPECT_DOUBLE_EQ(fluid[0].acceleration.x, 3);
+    EXPECT_DOUBLE_EQ(fluid[0].accelerated, 0.25 / 0.625);
+}
+
 TEST(Prolongation, CornerWeights)
 {
     const Box cell{{0, 0, 0}, {1, 1, 1}};
