@@ -211,8 +211,6 @@ void FixResults::stop(const std::string& message)
 /// Not error->all: it waits for all ranks, and the others may be inside HDF5.
 void FixResults::stopAlone(const std::string& message)
 {
-    const std::string text = std::string("fix ") + id + " results: " + message;
-    if (frazil::World::started() && frazil::World::instance().coupled()) frazil::World::instance().fail(text);
-    error->one(FLERR, text.c_str());
-    abort(); // as above
+    // not error->one: its text is often lost on the way through mpirun
+    frazil::World::instance().fail(std::string("fix ") + id + " results: " + message);
 }

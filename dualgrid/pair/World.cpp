@@ -184,6 +184,8 @@ void World::fail(const std::string& reason)
         printLine(words);
         if (coupled_) {
             tellPartner(words);
+        } else {
+            sleepFor(grace); // mpirun may drop what it has not forwarded when a rank aborts
         }
     }
     PMPI_Abort(MPI_COMM_WORLD, 1);
