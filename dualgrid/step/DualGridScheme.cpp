@@ -47,11 +47,13 @@ void DualGridScheme::restrictFluid(const FineFlow& flow)
         finishAverages(fluid[c], cells.grid().cellVolume());
     plan_.update(fluid.data());
     openVolume_.reset(cells);
-    fluidVolume_.reset(cells);
+    flowVolume_.reset(cells);
     fluidMass_.reset(cells);
     for (int c = 0; c < cells.count(); ++c) {
         openVolume_[c] = fluid[c].openVolume;
-        fluidVolume_[c] = fluid[c].fluidVolume;
+        // not the fluid's volume: spheres displace the water around them, so the free air above would weigh more than
+        // its share, and floating_plate floats 1.6 mm too deep
+        flowVolume_[c] = fluid[c].hasFluid() ? fluid[c].openVolume : 0;
         fluidMass_[c] = fluid[c].fluidMass;
     }
 }
@@ -80,7 +82,7 @@ void DualGridScheme::spreadParticles(const ParticleView& particles, Ledger& ledg
         Windows& window = windows_[i];
         window.solid = window.flow = window.mass = stencilOf(cells, particles.position[i]);
         reweigh(window.solid, openVolume_);
-        window.dry = !reweigh(window.flow, fluidVolume_);
+        window.dry = !reweigh(window.flow, flowVolume_);
         const double volume = volumeOf(particles, i);
         spread(window.solid, volume, solidVolume);
         ledger.particleVolume += volume;

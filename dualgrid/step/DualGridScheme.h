@@ -36,7 +36,7 @@ class DualGridScheme : public CouplingScheme
     /// A particle's window on the coarse grid, by what it is needed for.
     struct Windows {
         Stencil solid; ///< weighted by open volume: where its volume goes
-        Stencil flow;  ///< by fluid volume: where it sees the flow
+        Stencil flow;  ///< by open volume, cells without fluid left out: where it sees the flow
         Stencil mass;  ///< by fluid mass: where its reaction goes; at the surface the water, not the air above it
         bool dry;      ///< no fluid in it
     };
@@ -61,7 +61,7 @@ class DualGridScheme : public CouplingScheme
     Prolongation<Vec3> forceProlongation_;
 
     CoarseField<double> openVolume_;    ///< [m3]
-    CoarseField<double> fluidVolume_;   ///< [m3]
+    CoarseField<double> flowVolume_;    ///< open volume of the cells that hold fluid [m3]
     CoarseField<double> fluidMass_;     ///< [kg]
     CoarseField<double> solidFraction_; ///< αs of the open volume [-]
     CoarseField<Vec3> acceleration_;    ///< of the fluid by the particles [m/s2]
