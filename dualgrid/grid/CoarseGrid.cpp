@@ -105,6 +105,14 @@ std::int64_t CoarseGrid::cellOf(const Vec3& p) const
     return id(c);
 }
 
+CellIndex CoarseGrid::nearest(const Vec3& p) const
+{
+    CellIndex c;
+    for (int a = 0; a < 3; ++a)
+        c[a] = int(std::clamp(std::floor((p[a] - box_.min[a]) / h_), 0.0, n_[a] - 1.0));
+    return c;
+}
+
 Vec3 CoarseGrid::centre(std::int64_t id) const
 {
     const CellIndex c = index(id);

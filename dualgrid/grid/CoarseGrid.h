@@ -43,6 +43,8 @@ class CoarseGrid
     bool contains(const Vec3& p) const { return box_.contains(p); }
     /// Cell that holds p [m]; on a face shared by two cells the upper one; -1 outside of the grid.
     std::int64_t cellOf(const Vec3& p) const;
+    /// Cell that holds p, or the nearest one if p is outside of the grid.
+    CellIndex nearest(const Vec3& p) const;
     CellIndex index(std::int64_t id) const
     {
         return {int(id % n_[0]), int(id / n_[0] % n_[1]), int(id / n_[0] / n_[1])};

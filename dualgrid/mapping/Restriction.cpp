@@ -8,10 +8,16 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells
     sums.reset(cells);
     for (int row = 0; row < parts.rows(); ++row) {
         CoarseFluid& sum = sums[parts.coarseCell(row)];
+        const Vec3 centre = cells.grid().centre(cells.global(parts.coarseCell(row)));
         for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part) {
             const int f = part->fineCell;
             const double w = flow.fluidFraction[f] * part->volume;
-            sum.openVolume += flow.open(f) * part->volume;
+            const double open = flow.open(f) * part->volume, water = flow.wetFraction[f] * open;
+            const Vec3 place = part->centroid - centre;
+            sum.openVolume += open;
+            sum.openWater += water;
+            sum.openMoment += open * place;
+            sum.waterMoment += water * place;
             sum.fluidVolume += w;
             sum.fluidMass += flow.density[f] * w;
             sum.wetFraction += flow.wetFraction[f] * w;

@@ -4,7 +4,7 @@
 ///
 /// with ε = αf (1-γ), so particles and bodies carry no weight. A fluid at rest has ∇p = ρ g in every fine cell, hence
 /// exactly ρ_c g here: same weights for ρ and ∇p. Linear fields come out exact (value at the fluid's centroid).
-/// Cost: one pass over the parts, 22 additions each. Parallel: partial sums per rank, then accumulate + update of the
+/// Cost: one pass over the parts, 29 additions each. Parallel: partial sums per rank, then accumulate + update of the
 /// halo (the caller does it), finishAverages() on the owned cells in between.
 #pragma once
 
@@ -40,6 +40,9 @@ struct FineFlow {
 /// The fluid in one coarse cell. Doubles only: it travels through the halo as such.
 struct CoarseFluid {
     double openVolume = 0;  ///< Σ (1-γ) V of the fine parts in the cell [m3]
+    double openWater = 0;   ///< Σ α1 (1-γ) V [m3]
+    Vec3 openMoment;        ///< Σ (1-γ) V x about the cell's centre [m4]
+    Vec3 waterMoment;       ///< Σ α1 (1-γ) V x about the cell's centre [m4]
     double fluidVolume = 0; ///< Σ ε V [m3]
     double fluidMass = 0;   ///< Σ ρ ε V [kg]
     double accelerated = 0; ///< share of the fluid whose Du/Dt is known [-]; here and below: sums, then averages

@@ -38,13 +38,13 @@ CouplingSettings readCoupling(const Settings& settings)
 } // namespace
 
 CouplingStep::CouplingStep(const Settings& settings, const CoarseGrid& grid, const Phase& water, const Phase& air,
-                           MPI_Comm comm)
+                           const Vec3& gravity, MPI_Comm comm)
     : dualGrid_(settings.flag("dualGrid", true))
 {
     const CouplingSettings coupling = readCoupling(settings);
     const ForceModel forces(settings.sub("forces"));
     if (dualGrid_) {
-        scheme_ = std::make_unique<DualGridScheme>(coupling, forces, water, air, grid, comm);
+        scheme_ = std::make_unique<DualGridScheme>(coupling, forces, water, air, gravity, grid, comm);
     } else {
         scheme_ = std::make_unique<DirectScheme>(coupling, forces, water, air, grid, comm);
     }

@@ -45,8 +45,10 @@ class CouplingStep
     ///   voidFraction      { min 0.25; }  what would leave less fluid in a cell is clipped and listed in the ledger
     ///   forces            { ... }  see ForceModel.h
     ///   momentumExchange  on (default) | off: the fluid does not feel drag and added mass (one-way)
-    /// @param comm  the fluid ranks; rank r owns the blocks of owner r of the grid
-    CouplingStep(const Settings& settings, const CoarseGrid& grid, const Phase& water, const Phase& air, MPI_Comm comm);
+    /// @param gravity  [m/s2]
+    /// @param comm     the fluid ranks; rank r owns the blocks of owner r of the grid
+    CouplingStep(const Settings& settings, const CoarseGrid& grid, const Phase& water, const Phase& air,
+                 const Vec3& gravity, MPI_Comm comm);
     ~CouplingStep();
     CouplingStep(const CouplingStep&) = delete;
     CouplingStep& operator=(const CouplingStep&) = delete;

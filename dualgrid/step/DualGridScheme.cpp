@@ -10,9 +10,10 @@ namespace frazil
 {
 
 DualGridScheme::DualGridScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water,
-                               const Phase& air, const CoarseGrid& grid, MPI_Comm comm)
-    : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), comm_(comm),
-      plan_(cells, comm), solidProlongation_(settings.prolongation), forceProlongation_(settings.prolongation),
+                               const Phase& air, const Vec3& gravity, const CoarseGrid& grid,
+                               MPI_Comm comm)
+    : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))),
+      gravity_(gravity), comm_(comm), plan_(cells, comm), solidProlongation_(settings.prolongation), forceProlongation_(settings.prolongation),
       carried_(cells.ownedCount())
 {
 }
@@ -49,12 +50,14 @@ void DualGridScheme::restrictFluid(const FineFlow& flow)
     openVolume_.reset(cells);
     flowVolume_.reset(cells);
     fluidMass_.reset(cells);
+    surface_.reset(cells);
     for (int c = 0; c < cells.count(); ++c) {
         openVolume_[c] = fluid[c].openVolume;
         // not the fluid's volume: spheres displace the water around them, so the free air above would weigh more than
         // its share, and floating_plate floats 1.6 mm too deep
         flowVolume_[c] = fluid[c].hasFluid() ? fluid[c].openVolume : 0;
         fluidMass_[c] = fluid[c].fluidMass;
+        surface_[c] = surfaceIn(cells.grid().cellBox(cells.grid().index(cells.global(c))), fluid[c]);
     }
 }
 
@@ -136,12 +139,14 @@ void DualGridScheme::interact(const ParticleView& particles, std::vector<Interac
     forces_.withDrag([&](const auto& force) {
         for (std::size_t i = 0; i < particles.count; ++i) {
             if (!windows_[i].dry)
-                replies[i] = force(flowAt(i), stateOf(particles, i), water_, air_);
+                replies[i] = force(flowAt(particles, i), stateOf(particles, i), water_, air_);
         }
     });
 }
 
-LocalFlow DualGridScheme::flowAt(std::size_t particle) const
+/// ∇p in two parts: what moves the fluid, ∇p - ρ g, as wide as the kernel; the fluid's weight, ρ g, that of the water
+/// which the sphere itself is in. As wide as the kernel, too, it would let the water hold up what is above it.
+LocalFlow DualGridScheme::flowAt(const ParticleView& particles, std::size_t particle) const
 {
     const Windows& window = windows_[particle];
     LocalFlow flow;
@@ -153,7 +158,7 @@ LocalFlow DualGridScheme::flowAt(std::size_t particle) const
         const double w = window.flow.weight[n];
         flow.wetFraction += w * cell.wetFraction;
         flow.velocity += w * cell.velocity;
-        flow.pressureGradient += w * cell.pressureGradient;
+        flow.pressureGradient += w * (cell.pressureGradient - cell.density() * gravity_);
         flow.viscousForce += w * cell.viscousForce;
         flow.acceleration += w * cell.accelerated * cell.acceleration;
         accelerated += w * cell.accelerated;
@@ -161,7 +166,16 @@ LocalFlow DualGridScheme::flowAt(std::size_t particle) const
     }
     if (accelerated > 0)
         flow.acceleration *= 1 / accelerated;
+    flow.pressureGradient += densityAt(particles, particle, flow.wetFraction) * gravity_;
     return flow;
+}
+
+/// Of the fluid in the sphere's place [kg/m3]; that of the coarse grid, `wetFraction`, if its place has none.
+double DualGridScheme::densityAt(const ParticleView& particles, std::size_t particle, double wetFraction) const
+{
+    const double wet =
+        wetShare(particles.position[particle], particles.radius[particle], cells, fluid, surface_, wetFraction);
+    return wet * water_.density + (1 - wet) * air_.density;
 }
 
 void DualGridScheme::spreadReaction(const ParticleView& particles, const std::vector<Interaction>& replies)

@@ -4,6 +4,7 @@
 #include "CouplingScheme.h"
 #include "ExchangePlan.h"
 #include "Kernel.h"
+#include "WaterSurface.h"
 
 namespace frazil
 {
@@ -12,7 +13,7 @@ class DualGridScheme : public CouplingScheme
 {
   public:
     DualGridScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
-                   const CoarseGrid& grid, MPI_Comm comm);
+                   const Vec3& gravity, const CoarseGrid& grid, MPI_Comm comm);
 
     void setParts(const std::vector<FinePiece>& pieces) override;
     void setLocator(std::function<int(const Vec3&)>) override {} ///< not needed: the parts say where fine cells are
@@ -26,7 +27,8 @@ class DualGridScheme : public CouplingScheme
     void fitSolid(Ledger& ledger);
     void placeImpulse(Ledger& ledger);
     void interact(const ParticleView& particles, std::vector<Interaction>& replies);
-    LocalFlow flowAt(std::size_t particle) const;
+    LocalFlow flowAt(const ParticleView& particles, std::size_t particle) const;
+    double densityAt(const ParticleView& particles, std::size_t particle, double wetFraction) const;
     void spreadReaction(const ParticleView& particles, const std::vector<Interaction>& replies);
     void prolong(const FineFlow& flow, double deltaT, FineSource& source);
     void prolongSolid(const FineFlow& flow, FineSource& source);
@@ -54,6 +56,7 @@ class DualGridScheme : public CouplingScheme
         plan_.update(field.data());
     }
 
+    const Vec3 gravity_; ///< [m/s2]
     MPI_Comm comm_;
     ExchangePlan plan_;
     FineParts parts_;
@@ -63,6 +66,7 @@ class DualGridScheme : public CouplingScheme
     CoarseField<double> openVolume_;    ///< [m3]
     CoarseField<double> flowVolume_;    ///< open volume of the cells that hold fluid [m3]
     CoarseField<double> fluidMass_;     ///< [kg]
+    CoarseField<WaterSurface> surface_;
     CoarseField<double> solidFraction_; ///< αs of the open volume [-]
     CoarseField<Vec3> acceleration_;    ///< of the fluid by the particles [m/s2]
     CoarseField<double> scalarMoment_;

@@ -307,7 +307,7 @@ Foam::pairExchange::pairExchange
         frazil::World::instance().ownSize(),
         gravity
     ),
-    step_(settings, grid_, water, air, frazil::World::instance().own()),
+    step_(settings, grid_, water, air, gravity, frazil::World::instance().own()),
     link_(),
     restarted_
     (

@@ -142,7 +142,7 @@ struct Coupling {
     Ledger ledger;
 
     Coupling(MPI_Comm comm, const Settings& settings, const Phase& liquid = water)
-        : comm(comm), grid(box, 1, sizeOf(comm), gravity), step(settings, grid, liquid, air, comm)
+        : comm(comm), grid(box, 1, sizeOf(comm), gravity), step(settings, grid, liquid, air, gravity, comm)
     {
     }
     void advance(double length, int number)

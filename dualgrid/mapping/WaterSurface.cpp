@@ -1,0 +1,128 @@
+#include "WaterSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace frazil
+{
+
+namespace
+{
+
+/// Share of the unit cube with m·x < d, for 0 <= m1 <= m2 <= m3, Σ m = 1 and d <= 1/2.
+double lowerShare(double m1, double m2, double m3, double d)
+{
+    const double m12 = m1 + m2, product = 6 * m1 * m2 * m3;
+    if (d <= 0)
+        return 0;
+    if (d < m1)
+        return d * d * d / product;
+    if (d < m2)
+        return d * (d - m1) / (2 * m2 * m3) + m1 * m1 / (6 * m2 * m3);
+    const double corners = m1 * m1 * (m1 - 3 * d) + m2 * m2 * (m2 - 3 * d);
+    if (d < std::min(m12, m3))
+        return (d * d * (3 * m12 - d) + corners) / product;
+    if (m12 <= m3)
+        return (2 * d - m12) / (2 * m3);
+    return (d * d * (3 - 2 * d) + corners + m3 * m3 * (m3 - 3 * d)) / product;
+}
+
+Box overlap(const Box& a, const Box& b)
+{
+    Box both;
+    for (int axis = 0; axis < 3; ++axis) {
+        both.min[axis] = std::max(a.min[axis], b.min[axis]);
+        both.max[axis] = std::max(both.min[axis], std::min(a.max[axis], b.max[axis]));
+    }
+    return both;
+}
+
+double volumeOf(const Box& box)
+{
+    const Vec3 size = box.size();
+    return size.x * size.y * size.z;
+}
+
+double levelOf(const Box& cell, const Vec3& normal, double share)
+{
+    const Vec3 centre = 0.5 * (cell.min + cell.max), half = 0.5 * cell.size();
+    const double reach =
+        std::abs(normal.x) * half.x + std::abs(normal.y) * half.y + std::abs(normal.z) * half.z;
+    double low = dot(normal, centre) - reach, high = low + 2 * reach;
+    for (int n = 0; n < std::numeric_limits<double>::digits && low < high; ++n) {
+        const double middle = 0.5 * (low + high);
+        (shareBelow(cell, normal, middle) < share ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+} // namespace
+
+double shareBelow(const Box& box, const Vec3& normal, double level)
+{
+    const Vec3 size = box.size();
+    double m[3], lowest = 0, sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        m[axis] = std::abs(normal[axis]) * size[axis];
+        lowest += normal[axis] * (normal[axis] > 0 ? box.min[axis] : box.max[axis]);
+        sum += m[axis];
+    }
+    if (!(sum > 0))
+        return level > 0 ? 1 : 0;
+    const double d = std::clamp((level - lowest) / sum, 0.0, 1.0);
+    std::sort(m, m + 3);
+    const double share = lowerShare(m[0] / sum, m[1] / sum, m[2] / sum, std::min(d, 1 - d));
+    return d <= 0.5 ? share : 1 - share;
+}
+
+double WaterSurface::shareOf(const Box& box) const
+{
+    if (!(sharpness > 0))
+        return waterShare;
+    return sharpness * shareBelow(box, normal, level) + (1 - sharpness) * waterShare;
+}
+
+WaterSurface surfaceIn(const Box& cell, const CoarseFluid& fluid)
+{
+    WaterSurface surface;
+    if (!(fluid.openVolume > 0))
+        return surface;
+    surface.waterShare = std::clamp(fluid.openWater / fluid.openVolume, 0.0, 1.0);
+    // Less than this is what diffusion leaves far from the surface: it has no place.
+    const double nothing = 1e-9;
+    if (surface.waterShare < nothing || surface.waterShare > 1 - nothing)
+        return surface;
+    const Vec3 offset = fluid.openMoment / fluid.openVolume - fluid.waterMoment / fluid.openWater;
+    const double length = norm(offset), h = cell.size().x;
+    if (!(length > nothing * h))
+        return surface;
+    surface.normal = offset / length;
+    surface.level = levelOf(cell, surface.normal, surface.waterShare);
+    surface.sharpness = std::min(1.0, length / (0.9 * (1 - surface.waterShare) * h / 2));
+    return surface;
+}
+
+double wetShare(const Vec3& centre, double radius, const LocalCells& cells, const CoarseField<CoarseFluid>& fluid,
+                const CoarseField<WaterSurface>& surface, double elsewhere)
+{
+    const double half = 0.5 * std::cbrt(4.0 / 3 * 3.14159265358979323846) * radius;
+    const Box cube{centre - Vec3{half, half, half}, centre + Vec3{half, half, half}};
+    const CellIndex lo = cells.grid().nearest(cube.min), hi = cells.grid().nearest(cube.max);
+    double wet = 0, all = 0;
+    for (int n = 0; n < 8; ++n) { // at most two cells along each axis
+        const CellIndex index{n & 1 ? hi[0] : lo[0], n & 2 ? hi[1] : lo[1], n & 4 ? hi[2] : lo[2]};
+        if ((n & 1 && hi[0] == lo[0]) || (n & 2 && hi[1] == lo[1]) || (n & 4 && hi[2] == lo[2]))
+            continue;
+        const int cell = cells.local(index);
+        if (cell < 0 || !(fluid[cell].openVolume > 0))
+            continue;
+        const Box piece = overlap(cube, cells.grid().cellBox(index));
+        const double volume = volumeOf(piece);
+        all += volume;
+        wet += volume * surface[cell].shareOf(piece);
+    }
+    return all > 0 ? wet / all : elsewhere;
+}
+
+} // namespace frazil
