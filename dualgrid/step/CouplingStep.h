@@ -2,7 +2,7 @@
 ///
 ///   spread     particles -> coarse grid: solid volume and impulse (trilinear, weights sum to one)
 ///   restrict   fine mesh -> coarse grid: fluid averages (2.24)
-///   forces     gather the coarse fluid at each particle, force laws -> replies
+///   forces     gather the coarse fluid at each particle, the sphere's wet share (WaterSurface.h), force laws -> replies
 ///   prolong    coarse grid -> fine mesh: solid fraction and reaction force, conservative per coarse cell; drag and
 ///              added mass of the coming step
 ///

@@ -10,11 +10,10 @@ namespace frazil
 {
 
 DualGridScheme::DualGridScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water,
-                               const Phase& air, const Vec3& gravity, const CoarseGrid& grid,
-                               MPI_Comm comm)
-    : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))),
-      gravity_(gravity), comm_(comm), plan_(cells, comm), solidProlongation_(settings.prolongation), forceProlongation_(settings.prolongation),
-      carried_(cells.ownedCount())
+                               const Phase& air, const Vec3& gravity, const CoarseGrid& grid, MPI_Comm comm)
+    : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), gravity_(gravity),
+      comm_(comm), plan_(cells, comm), solidProlongation_(settings.prolongation),
+      forceProlongation_(settings.prolongation), carried_(cells.ownedCount())
 {
 }
 

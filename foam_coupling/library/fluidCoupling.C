@@ -192,6 +192,12 @@ void Foam::fluidCoupling::updateBodies
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::fluidCoupling::demDeltaT() const
+{
+    return exchange_ ? exchange_->demDeltaT() : 0;
+}
+
+
 Foam::scalar Foam::fluidCoupling::beginStep
 (
     const flowOnParticles& flow,

@@ -77,6 +77,10 @@ int main(int argc, char *argv[])
                 CoNum = open.courantNumber(phi);
             }
             #include "setDeltaT.H"
+            if (coupling.valid())
+            {
+                #include "growByOneDemStep.H"
+            }
         }
 
         if (coupling.valid())
