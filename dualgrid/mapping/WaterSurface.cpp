@@ -47,8 +47,7 @@ double volumeOf(const Box& box)
 double levelOf(const Box& cell, const Vec3& normal, double share)
 {
     const Vec3 centre = 0.5 * (cell.min + cell.max), half = 0.5 * cell.size();
-    const double reach =
-        std::abs(normal.x) * half.x + std::abs(normal.y) * half.y + std::abs(normal.z) * half.z;
+    const double reach = std::abs(normal.x) * half.x + std::abs(normal.y) * half.y + std::abs(normal.z) * half.z;
     double low = dot(normal, centre) - reach, high = low + 2 * reach;
     for (int n = 0; n < std::numeric_limits<double>::digits && low < high; ++n) {
         const double middle = 0.5 * (low + high);

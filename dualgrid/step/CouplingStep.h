@@ -2,8 +2,9 @@
 ///
 ///   spread     particles -> coarse grid: solid volume and impulse (trilinear, weights sum to one)
 ///   restrict   fine mesh -> coarse grid: fluid averages (2.24)
-///   forces     gather the coarse fluid at each particle, the sphere's wet share (WaterSurface.h), force laws -> replies
-///   prolong    coarse grid -> fine mesh: solid fraction and reaction force, conservative per coarse cell; drag and
+///   forces     gather the coarse fluid at each particle, the sphere's wet share (WaterSurface.h), force laws ->
+///   replies prolong    coarse grid -> fine mesh: solid fraction and reaction force, conservative per coarse cell; drag
+///   and
 ///              added mass of the coming step
 ///
 /// Momentum (model A: S = -Σ (fd + fa)/V): the particles report the drag and added-mass impulse J that they really

@@ -202,8 +202,8 @@ std::vector<Interaction> DirectScheme::interact(const std::vector<Visitor>& visi
             const int f = visitors[n].fineCell;
             const Vec3 acceleration = flow.accelerated(f) * flow.acceleration[f];
             const LocalFlow local{
-                1 - source.solidFraction[f], flow.wetFraction[f],  flow.velocity[f], flow.pressureGradient[f],
-                flow.viscousForce[f],        acceleration,         flow.vorticity[f]};
+                1 - source.solidFraction[f], flow.wetFraction[f], flow.velocity[f], flow.pressureGradient[f],
+                flow.viscousForce[f],        acceleration,        flow.vorticity[f]};
             answers[n] = force(local, visitors[n].state, water_, air_);
         }
     });

@@ -63,9 +63,9 @@ class DualGridScheme : public CouplingScheme
     Prolongation<double> solidProlongation_;
     Prolongation<Vec3> forceProlongation_;
 
-    CoarseField<double> openVolume_;    ///< [m3]
-    CoarseField<double> flowVolume_;    ///< open volume of the cells that hold fluid [m3]
-    CoarseField<double> fluidMass_;     ///< [kg]
+    CoarseField<double> openVolume_; ///< [m3]
+    CoarseField<double> flowVolume_; ///< open volume of the cells that hold fluid [m3]
+    CoarseField<double> fluidMass_;  ///< [kg]
     CoarseField<WaterSurface> surface_;
     CoarseField<double> solidFraction_; ///< αs of the open volume [-]
     CoarseField<Vec3> acceleration_;    ///< of the fluid by the particles [m/s2]

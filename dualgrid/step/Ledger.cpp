@@ -91,8 +91,8 @@ std::string Ledger::csvHeader()
 std::string Ledger::csvLine(double time) const
 {
     std::string line = fmt::format("{:.9g},{},{},{:.17g},{:.17g},{:.17g},{:.6g},{},{:.3g},{:.3g}", time, particles,
-                                   dryParticles, particleVolume, coarseVolume, fineVolume, clippedVolume,
-                                   clippedCells, volumeErrorCoarse(), volumeErrorFine());
+                                   dryParticles, particleVolume, coarseVolume, fineVolume, clippedVolume, clippedCells,
+                                   volumeErrorCoarse(), volumeErrorFine());
     for (const Vec3* v : {&received, &carriedIn, &coarseImpulse, &given, &unplaced, &held}) {
         line += fmt::format(",{:.17g},{:.17g},{:.17g}", v->x, v->y, v->z);
     }

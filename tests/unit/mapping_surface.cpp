@@ -53,7 +53,7 @@ TEST(WaterSurface, ShareOfABoxBelowAPlane)
     const Box box{{1, 2, 3}, {2, 4, 6}};
     EXPECT_NEAR(shareBelow(box, {0, 0, 1}, 4), 1.0 / 3, 1e-15);
     EXPECT_NEAR(shareBelow(box, {0, 0, -1}, -4), 2.0 / 3, 1e-15);
-    EXPECT_NEAR(shareBelow(box, {1, 0.5, 0}, 3), 0.5, 1e-15); // through the middle
+    EXPECT_NEAR(shareBelow(box, {1, 0.5, 0}, 3), 0.5, 1e-15);           // through the middle
     EXPECT_NEAR(shareBelow(box, {1, 0.5, 1.0 / 3}, 4), 1.0 / 6, 1e-15); // the unit corner: (1·1·1)/6 of the unit cube
     EXPECT_NEAR(shareBelow(box, {1, 0.5, 1.0 / 3}, 3.5), 0.125 / 6, 1e-15);
     EXPECT_NEAR(shareBelow(box, {1e-14, 0, 1}, 4), 1.0 / 3, 1e-12);
@@ -104,7 +104,8 @@ TEST(WaterSurface, SphereSinksThroughSurfaceAndCellFace)
         const Tank tank(2, {0, 0, 1}, level);
         for (double z = 0.6; z < 3.4; z += 0.05) {
             const double expected = std::min(1.0, std::max(0.0, 0.5 + (level - z) / a));
-            EXPECT_NEAR(wetShare({1, 1, z}, r, tank.cells, tank.fluid, tank.surface, -1), expected, 1e-10) << level << z;
+            EXPECT_NEAR(wetShare({1, 1, z}, r, tank.cells, tank.fluid, tank.surface, -1), expected, 1e-10)
+                << level << z;
         }
     }
 }
