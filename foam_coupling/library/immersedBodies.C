@@ -1,4 +1,5 @@
 #include "immersedBodies.H"
+#include "bodyEdges.H"
 #include "bodyWetting.H"
 #include "couplingSettings.H"
 #include "fvMesh.H"
@@ -217,6 +218,10 @@ void Foam::immersedBodies::cutAt
     Ub_.correctBoundaryConditions();
     normal_.correctBoundaryConditions();
     distance_.correctBoundaryConditions();
+    for (const bodyCut& cut : cuts_)
+    {
+        findEdges(distance_, cut.cells, edge_);
+    }
 }
 
 
@@ -321,7 +326,8 @@ Foam::immersedBodies::immersedBodies
         dimensionedScalar("far", dimLength, GREAT),
         zeroGradientFvPatchScalarField::typeName
     ),
-    bodyOf_(mesh.nCells(), -1)
+    bodyOf_(mesh.nCells(), -1),
+    edge_(mesh.nCells(), Zero)
 {
     const frazil::Settings bodies(settingsOf(bodiesDict));
     const std::string casePath
@@ -488,7 +494,8 @@ Foam::tmp<Foam::volVectorField> Foam::immersedBodies::constrained
         {
             const vector& n = normal_[celli];
             const vector& u = U()[celli];
-            part[celli] = bodies_[bodyOf_[celli]].slip() ? n*(n & u) : u;
+            const scalar sticking = bodies_[bodyOf_[celli]].slip() ? edge_[celli] : 1;
+            part[celli] = sticking*u + (1 - sticking)*n*(n & u);
         }
     }
     U.clear();

@@ -6,6 +6,8 @@
 #include "scalarList.H"
 #include "quaternion.H"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "InputError.h"
@@ -16,6 +18,10 @@ namespace
 {
 
 constexpr double latticePerCell = 3;
+
+//- Width over which edges are rounded, in cells: that of a mean over two cells
+const double edgeWidth = 1/std::sqrt(3.0);
+
 constexpr double marginInCells = 4;
 constexpr double mostNodes = 8e6;
 
@@ -117,6 +123,8 @@ void Foam::immersedBody::computeLattice
         Pstream::listCombineScatter(all);
         std::copy(all.begin(), all.end(), values.begin());
     }
+
+    lattice_->roundEdges(edgeWidth*finestCell, mass_.volume);
 
     const int* n = lattice_->nodes();
     Info<< "Body " << name_ << ": " << label(triangles.size())

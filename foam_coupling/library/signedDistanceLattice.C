@@ -1,6 +1,17 @@
 #include "signedDistanceLattice.H"
 
+#include <cmath>
+
 #include "surfaceDistance.H"
+
+namespace
+{
+
+//- Powers of 1 - G that a filtered distance is without
+constexpr int filterOrder = 3;
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -50,6 +61,79 @@ void frazil::signedDistanceLattice::compute
             }
             bound = std::abs(row[0]) + spacing_;
         }
+    }
+}
+
+
+void frazil::signedDistanceLattice::smoothAlong(int axis, std::vector<double>& values) const
+{
+    const std::size_t stride = axis == 0 ? 1 : axis == 1 ? n_[0] : std::size_t(n_[0])*n_[1];
+    const std::size_t line = stride*n_[axis];
+    for (std::size_t slab = 0; slab < values.size(); slab += line)
+    {
+        for (std::size_t start = slab; start < slab + stride; ++start)
+        {
+            double behind = values[start];
+            for (std::size_t at = start + stride; at + stride < start + line; at += stride)
+            {
+                const double here = values[at];
+                values[at] = 0.25*(behind + 2*here + values[at + stride]);
+                behind = here;
+            }
+        }
+    }
+}
+
+
+double frazil::signedDistanceLattice::volumeInside(double shift) const
+{
+    double nodes = 0;
+    for (const double d : values_)
+    {
+        nodes += std::clamp(0.5 - (d + shift)/spacing_, 0.0, 1.0);
+    }
+    return nodes*spacing_*spacing_*spacing_;
+}
+
+
+void frazil::signedDistanceLattice::roundEdges(double width, double volume)
+{
+    const int passes = int(std::lround(2*width*width/(spacing_*spacing_)));
+    std::vector<double> rest(values_);
+    std::fill(values_.begin(), values_.end(), 0.0);
+    for (int power = 0; power < filterOrder; ++power)
+    {
+        std::vector<double> mean(rest);
+        for (int pass = 0; pass < passes; ++pass)
+        {
+            for (int axis = 0; axis < 3; ++axis)
+            {
+                smoothAlong(axis, mean);
+            }
+        }
+        for (std::size_t i = 0; i < rest.size(); ++i)
+        {
+            values_[i] += mean[i];
+            rest[i] -= mean[i];
+        }
+    }
+
+    matchVolume(volume);
+}
+
+
+void frazil::signedDistanceLattice::matchVolume(double volume)
+{
+    double shift = 0;
+    for (int iteration = 0; iteration < 4; ++iteration)
+    {
+        const double half = 0.5*spacing_;
+        const double area = (volumeInside(shift - half) - volumeInside(shift + half))/spacing_;
+        shift += area > 0 ? (volumeInside(shift) - volume)/area : 0;
+    }
+    for (double& d : values_)
+    {
+        d += shift;
     }
 }
 

@@ -149,6 +149,23 @@ TEST(SignedDistanceLattice, PartsAddUpAndNormalPointsOut)
     EXPECT_NEAR(whole.normal({0, 5, 0}).y, 1, 1e-12);
 }
 
+TEST(SignedDistanceLattice, RoundsEdgesAndKeepsFacesAndVolume)
+{
+    const auto triangles = shapes::box({-1, -1, -1}, {1, 1, 1});
+    const double width = 0.1;
+    signedDistanceLattice sharp(boundsOf(triangles), 0.04, 0.5);
+    sharp.compute(joinCorners(triangles));
+    signedDistanceLattice round(sharp);
+    round.roundEdges(width, 8);
+    EXPECT_NEAR(round.distance({1, 0.1, 0.2}), 0, 0.02 * width); // a face stays, but for the volume's match
+    const double retreat = round.distance({1, 1, 0.2});
+    EXPECT_GT(retreat, 0.1 * width);
+    EXPECT_LT(retreat, 0.5 * width);
+    const Box around{{-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}};
+    const auto cut = [&](const Vec3& x) { return round.distance(x); };
+    EXPECT_NEAR(cutVolume(around, 0.03, {0.011, 0.017, 0.013}, cut), 8, 8e-3);
+}
+
 // 16 cells per diameter: the polyhedron of cuts misses the curvature (-0.4 %, which the match to the body's volume
 // removes), but the part that changes as the body crosses cells is below 0.1 %.
 TEST(BodyGeometry, VolumeOfSphereAndConeAcrossCells)
