@@ -3,8 +3,8 @@
 
 A small plate of ice_entry is struck and breaks. Against the run on 1:1 ranks (frazilDem:frazilFoam)
 
-    2:1           same broken bonds, positions within 1e-9 of the sphere's diameter D
-    1:2, 2:2      same broken bonds, positions within 1e-6 D (the fluid's linear solvers end at 1e-14 there)
+    2:1                  same broken bonds, positions within 1e-9 of the sphere's diameter D
+    1:2, 2:2, 2:4, 4:3   same broken bonds, positions within 1e-6 D (the fluid's linear solvers end at 1e-14 there)
 
 over at least 200 fluid steps, which must include the first cracks.
 """
@@ -87,7 +87,7 @@ def main():
     failed = False
     with tempfile.TemporaryDirectory(prefix="frazil-ranks-") as scratch:
         results = {}
-        for dem, foam in ((1, 1), (2, 1), (1, 2), (2, 2)):
+        for dem, foam in ((1, 1), (2, 1), (1, 2), (2, 2), (2, 4), (4, 3)):
             folder = Path(scratch) / f"{dem}-{foam}"
             folder.mkdir()
             results[dem, foam] = run(folder, dem, foam)
