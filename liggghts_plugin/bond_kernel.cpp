@@ -1,7 +1,8 @@
 #include "bond_kernel.h"
 
+// By what the processor can do, not by its name: "arch=haswell" would be that one family of processors alone
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define FRAZIL_VECTOR_CLONES __attribute__((target_clones("arch=haswell", "default")))
+#define FRAZIL_VECTOR_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define FRAZIL_VECTOR_CLONES
 #endif
