@@ -45,7 +45,7 @@ FixBondParallel::FixBondParallel(LAMMPS* lmp, int narg, char** arg)
     virial_flag = 1;
     nevery = 1;
     vector_flag = 1;
-    size_vector = 8;
+    size_vector = 9;
     global_freq = 1;
     extvector = 0;
     peratom_flag = 1;

@@ -71,7 +71,8 @@ double FixBondParallel::compute_vector(int n)
     case 4: return totals_[ELASTIC];
     case 5: return totals_[DAMPED] + totals_[RELEASED];
     case 6: return use_[0];
-    default: return use_[1];
+    case 7: return use_[1];
+    default: return totals_[RELEASED];
     }
 }
 
