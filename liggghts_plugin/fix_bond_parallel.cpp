@@ -22,7 +22,7 @@ namespace
 {
 
 const char* const keywords = "young, stiffness_ratio, tensile_strength, shear_strength, radius_factor, moment_factor, "
-                             "friction_angle, damping, create_gap, weibull, events";
+                             "friction_angle, damping, create_gap, list, weibull, events";
 inline Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
 
 } // namespace
@@ -115,7 +115,7 @@ void FixBondParallel::parse(int narg, char** arg)
                         {"moment_factor", &material_.momentFactor, NOT_NEGATIVE, false, false},
                         {"friction_angle", &frictionDegrees, ANGLE, false, false},
                         {"damping", &material_.damping, NOT_NEGATIVE, false, false},
-                        {"create_gap", &createGap_, NOT_NEGATIVE, false, false}};
+                        {"create_gap", &createGap_, NOT_NEGATIVE, false, false}}; // the last
 
     for (int iarg = 3; iarg < narg;) {
         const std::string keyword = arg[iarg];
@@ -141,6 +141,8 @@ void FixBondParallel::parse(int narg, char** arg)
             require(seed == weibullSeed_ && seed > 0, keyword, arg[iarg + 2], "is no seed", "give a whole number > 0");
         } else if (keyword == "events") {
             eventsFile_ = arg[iarg + 1];
+        } else if (keyword == "list") {
+            listFile_ = arg[iarg + 1];
         } else {
             error->fix_error(FLERR, this, ("unknown keyword '" + keyword + "'; known are: " + keywords).c_str());
         }
@@ -149,6 +151,8 @@ void FixBondParallel::parse(int narg, char** arg)
     for (const Option& option : options)
         if (option.needed && !option.given)
             require(false, option.keyword, "nothing", "is needed", "add '" + std::string(option.keyword) + " <value>'");
+    const bool gapGiven = std::end(options)[-1].given;
+    require(listFile_.empty() || !gapGiven, "list", listFile_, "stands beside create_gap", "give one of the two");
     material_.frictionTan = std::tan(frictionDegrees * M_PI / 180);
 }
 

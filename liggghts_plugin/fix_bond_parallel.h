@@ -13,6 +13,7 @@
 
 #include "bond_table.h"
 #include "fix.h"
+#include "read_bond_list.h"
 
 #include <string>
 #include <vector>
@@ -90,12 +91,19 @@ private:
     double time() const;
     void breakBond(std::size_t, const frazil::BondUse&);
 
-    // fix_bond_parallel_state.cpp: creation, migration, restart
+    // fix_bond_parallel_create.cpp: creation
     void create();
-    void store();
-    void load();
+    void bondNeighbours();
+    void bondFrom(int, int);
+    void checkReach();
+    void bondListed();
+    void checkListed(const frazil::BondList&);
     std::size_t addBond(int, int, int, int);
     void completeShape(std::size_t);
+
+    // fix_bond_parallel_state.cpp: migration, restart
+    void store();
+    void load();
     void dropMissing(const std::vector<int>&, bool);
     void countLost();
     void countBonds();
@@ -119,7 +127,8 @@ private:
     double radiusFactor_, createGap_;
     double weibullModulus_; // 0: no scatter
     int weibullSeed_;
-    std::string eventsFile_;
+    std::string eventsFile_, listFile_;
+    double smallestGap_, largestReach_; // of this rank's neighbours: in mean radii; [m]
 
     frazil::BondTable table_;
     frazil::BondStore store_;

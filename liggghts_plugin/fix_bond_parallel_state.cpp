@@ -1,4 +1,4 @@
-/* fix bond/parallel: where bonds come from and how they travel. */
+/* fix bond/parallel: how bonds travel: between particles and the table, between ranks, to restart files. */
 
 #include "fix_bond_parallel.h"
 
@@ -8,124 +8,14 @@
 #include "error.h"
 #include "force.h"
 #include "memory.h"
-#include "neigh_list.h"
 #include "neighbor.h"
 #include "pair.h"
 #include "update.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 using namespace LAMMPS_NS;
 using namespace frazil;
-
-/* ----------------------------------------------------------------------
-   creation: from a full neighbour list, so that each rank finds all bonds of its own spheres
-------------------------------------------------------------------------- */
-
-void FixBondParallel::create()
-{
-    neighbor->build_one(list_->index);
-    const int owned = atom->nlocal;
-    double** x = atom->x;
-    double smallest = std::numeric_limits<double>::max(), largestReach = 0;
-    for (int row = 0; row < list_->inum; ++row) {
-        const int i = list_->ilist[row];
-        if (!(atom->mask[i] & groupbit)) continue;
-        for (int n = 0; n < list_->numneigh[i]; ++n) {
-            const int j = list_->firstneigh[i][n] & NEIGHMASK;
-            if (!(atom->mask[j] & groupbit)) continue;
-            const double distance = std::sqrt(std::pow(x[j][0] - x[i][0], 2) + std::pow(x[j][1] - x[i][1], 2) +
-                                              std::pow(x[j][2] - x[i][2], 2));
-            const double gap = distance - atom->radius[i] - atom->radius[j];
-            const double mean = 0.5 * (atom->radius[i] + atom->radius[j]);
-            smallest = std::min(smallest, gap / mean);
-            largestReach = std::max(largestReach, createGap_ * mean);
-            if (gap > createGap_ * mean) continue;
-            const bool ordered = atom->tag[i] < atom->tag[j];
-            if (!ordered && atom->map(atom->tag[j]) < owned) continue; // added with the partner, on this rank
-            addBond(ordered ? i : j, ordered ? j : i, ordered ? i : j, ordered ? j : i);
-        }
-    }
-    for (std::size_t k = 0; k < table_.size(); ++k) {
-        const int i = table_.at1[k], j = table_.at2[k];
-        const Vec3 d{x[j][0] - x[i][0], x[j][1] - x[i][1], x[j][2] - x[i][2]};
-        table_.restLength[k] = norm(d);
-        for (int axis = 0; axis < 3; ++axis) table_.state[BondTable::separation + axis][k] = d[axis];
-        completeShape(k);
-    }
-    created_ = tableNewer_ = true;
-    owned_ = owned;
-    for (int i = 0; i < owned; ++i) store_.owners[i].self = atom->tag[i];
-    countBonds();
-    for (int i = 0; i < owned; ++i) {
-        store_.owners[i].initial = static_cast<int>(array_atom[i][0]);
-        array_atom[i][1] = array_atom[i][0];
-    }
-    reduceCounts();
-    initialBonds_ = static_cast<bigint>(counts_[INTACT]);
-    double volume = 0;
-    for (int i = 0; i < owned; ++i)
-        if (atom->mask[i] & groupbit) volume += 4. / 3 * M_PI * std::pow(atom->radius[i], 3);
-    MPI_Allreduce(&volume, &initialVolume_, 1, MPI_DOUBLE, MPI_SUM, world);
-
-    double reach, nearest;
-    MPI_Allreduce(&largestReach, &reach, 1, MPI_DOUBLE, MPI_MAX, world);
-    MPI_Allreduce(&smallest, &nearest, 1, MPI_DOUBLE, MPI_MIN, world);
-    char text[512];
-    if (reach > neighbor->skin) {
-        snprintf(text, sizeof text,
-                 "create_gap %g reaches %g m, beyond the neighbour skin of %g m, so pairs would be missed; cure: "
-                 "'neighbor %g bin' or a smaller create_gap", createGap_, reach, neighbor->skin, 1.1 * reach);
-        error->fix_error(FLERR, this, text);
-    }
-    if (initialBonds_ == 0) {
-        if (nearest < std::numeric_limits<double>::max())
-            snprintf(text, sizeof text, "no pair of the group is in reach: the smallest surface gap is %g of the mean "
-                     "radius, create_gap is %g; cure: create_gap above %g, or check the particles' positions and group",
-                     nearest, createGap_, nearest);
-        else
-            snprintf(text, sizeof text, "no pair of the group is in reach: not one within the neighbour distance of "
-                     "contact plus %g m; cure: check the particles' positions, radii and group, and that they exist "
-                     "before the first run", neighbor->skin);
-        error->fix_error(FLERR, this, text);
-    }
-    if (comm->me == 0) {
-        snprintf(text, sizeof text, "Fix bond/parallel (id %s): " BIGINT_FORMAT " bonds created\n", id, initialBonds_);
-        if (screen) fputs(text, screen);
-        if (logfile) fputs(text, logfile);
-    }
-}
-
-std::size_t FixBondParallel::addBond(int at1, int at2, int target1, int target2)
-{
-    const std::size_t k = table_.add();
-    table_.id1[k] = atom->tag[at1];
-    table_.id2[k] = atom->tag[at2];
-    table_.at1[k] = at1;
-    table_.at2[k] = at2;
-    // A periodic image of an owned sphere stands for that sphere.
-    const int owner1 = atom->map(table_.id1[k]), owner2 = atom->map(table_.id2[k]);
-    table_.target1[k] = owner1 < atom->nlocal ? owner1 : target1;
-    table_.target2[k] = owner2 < atom->nlocal ? owner2 : target2;
-    return k;
-}
-
-/// What follows from the spheres and is not stored with the bond.
-void FixBondParallel::completeShape(std::size_t k)
-{
-    const int i = table_.at1[k], j = table_.at2[k];
-    const double r1 = atom->radius[i], r2 = atom->radius[j];
-    table_.radius[k] = radiusFactor_ * std::min(r1, r2);
-    table_.share[k] = r1 / (r1 + r2);
-    table_.strength[k] =
-        weibullModulus_ > 0 ? weibullFactor(table_.id1[k], table_.id2[k], weibullModulus_, weibullSeed_) : 1;
-    const double m1 = atom->rmass[i], m2 = atom->rmass[j];
-    const double j1 = 0.4 * m1 * r1 * r1, j2 = 0.4 * m2 * r2 * r2;
-    table_.reducedMass[k] = m1 * m2 / (m1 + m2);
-    table_.reducedInertia[k] = j1 * j2 / (j1 + j2);
-}
 
 /* ----------------------------------------------------------------------
    table <-> particles
