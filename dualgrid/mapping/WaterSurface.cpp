@@ -44,14 +44,28 @@ double volumeOf(const Box& box)
     return size.x * size.y * size.z;
 }
 
+/// Root of a monotonic function between two ends: regula falsi, which halves an end that stays (Illinois).
 double levelOf(const Box& cell, const Vec3& normal, double share)
 {
     const Vec3 centre = 0.5 * (cell.min + cell.max), half = 0.5 * cell.size();
     const double reach = std::abs(normal.x) * half.x + std::abs(normal.y) * half.y + std::abs(normal.z) * half.z;
     double low = dot(normal, centre) - reach, high = low + 2 * reach;
-    for (int n = 0; n < std::numeric_limits<double>::digits && low < high; ++n) {
-        const double middle = 0.5 * (low + high);
-        (shareBelow(cell, normal, middle) < share ? low : high) = middle;
+    double below = -share, above = 1 - share; // what is missing at both ends
+    int kept = 0;                             // end that the last iterations left in place
+    for (int n = 0; n < std::numeric_limits<double>::digits; ++n) {
+        const double level = (low * above - high * below) / (above - below);
+        const double rest = shareBelow(cell, normal, level) - share;
+        if (std::abs(rest) < 1e-14)
+            return level;
+        if (rest < 0) {
+            low = level, below = rest;
+            above *= kept > 0 ? 0.5 : 1;
+            kept = 1;
+        } else {
+            high = level, above = rest;
+            below *= kept < 0 ? 0.5 : 1;
+            kept = -1;
+        }
     }
     return 0.5 * (low + high);
 }

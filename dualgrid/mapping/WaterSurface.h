@@ -13,7 +13,7 @@
 /// Weights are the open volume, not the fluid's: particles on one side of the surface must not move it.
 /// Source: first moments after Dyadechko & Shashkov, Moment-of-fluid interface reconstruction, LA-UR-05-7571 (2005),
 /// without their search for the best normal; volume below a plane: Scardovelli & Zaleski, J. Comput. Phys. 164 (2000)
-/// 228. Cost: 50 evaluations of that formula per cell that holds both fluids. No MPI.
+/// 228. Cost: some ten evaluations of that formula per cell. No MPI.
 #pragma once
 
 #include "Box.h"

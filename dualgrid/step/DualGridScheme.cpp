@@ -30,6 +30,7 @@ Ledger DualGridScheme::advance(const ParticleView& particles, const FineFlow& fl
     Ledger ledger;
     restrictFluid(flow);                // fine -> coarse: averages of the fluid
     project(particles, ledger);         // particles -> coarse: solid volume, impulse
+    findSurfaces();                     // the water's surface where there are particles
     interact(particles, replies);       // coarse -> particles: local flow, force laws
     spreadReaction(particles, replies); // particles -> coarse: drag and added mass
     prolong(flow, deltaT, source);      // coarse -> fine: αs, force on the fluid, drag and added mass
@@ -49,14 +50,23 @@ void DualGridScheme::restrictFluid(const FineFlow& flow)
     openVolume_.reset(cells);
     flowVolume_.reset(cells);
     fluidMass_.reset(cells);
-    surface_.reset(cells);
     for (int c = 0; c < cells.count(); ++c) {
         openVolume_[c] = fluid[c].openVolume;
         // not the fluid's volume: spheres displace the water around them, so the free air above would weigh more than
         // its share, and floating_plate floats 1.6 mm too deep
         flowVolume_[c] = fluid[c].hasFluid() ? fluid[c].openVolume : 0;
         fluidMass_[c] = fluid[c].fluidMass;
-        surface_[c] = surfaceIn(cells.grid().cellBox(cells.grid().index(cells.global(c))), fluid[c]);
+    }
+}
+
+/// A sphere that reaches into a coarse cell has volume in it: its window is wider than itself.
+void DualGridScheme::findSurfaces()
+{
+    const PhaseTimer::Scope scope(timer, PhaseTimer::restriction);
+    surface_.reset(cells);
+    for (int c = 0; c < cells.count(); ++c) {
+        if (solidVolume[c] > 0)
+            surface_[c] = surfaceIn(cells.grid().cellBox(cells.grid().index(cells.global(c))), fluid[c]);
     }
 }
 

@@ -22,6 +22,7 @@ class DualGridScheme : public CouplingScheme
 
   private:
     void restrictFluid(const FineFlow& flow);
+    void findSurfaces();
     void project(const ParticleView& particles, Ledger& ledger);
     void spreadParticles(const ParticleView& particles, Ledger& ledger);
     void fitSolid(Ledger& ledger);
