@@ -21,29 +21,13 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "cases/tools"))
+sys.path += [str(ROOT / "cases/tools"), str(ROOT / "tests/verification")]
 import ice
+from bond_dem import D, E, KAPPA, MODEL, RHO, bond, head
 
-DIAMETER, DENSITY, COLUMNS, ROWS, LAYERS = 0.0024, 900.0, 83, 96, 8
-YOUNG, RATIO = 0.5e9, 2.66
+COLUMNS, ROWS, LAYERS = 83, 96, 8
 
 SCRIPT = """
-atom_style granular
-boundary f f f
-newton off
-communicate single vel yes
-units si
-processors * * 1
-read_data plate.data
-neighbor {skin:.17g} bin
-neigh_modify delay 0
-fix m1 all property/global youngsModulus peratomtype 5e8
-fix m2 all property/global poissonsRatio peratomtype 0.33
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
-pair_style gran model hertz tangential history
-pair_coeff * *
-{bonds}
 fix integrate all nve/sphere
 timestep {step:.17g}
 thermo {steps}
@@ -65,10 +49,9 @@ def arguments():
 
 def step_time(options, folder, bonds):
     """(wall time of a step [s], number of bonds)"""
-    fix = (f"fix bonds all bond/parallel young {YOUNG} stiffness_ratio {RATIO} tensile_strength 1e30 "
-           f"shear_strength 1e30 damping {options.damping}" if bonds else "")
-    step = 0.05*ice.critical_step(DIAMETER, DENSITY, YOUNG, RATIO)
-    (folder / "in.speed").write_text(SCRIPT.format(skin=options.skin*DIAMETER, bonds=fix, step=step, steps=options.steps))
+    step = 0.05*ice.critical_step(D, RHO, E, KAPPA)
+    script = head(data_file="plate.data", skin=options.skin*D) + MODEL + (bond(more=f"damping {options.damping}") if bonds else "")
+    (folder / "in.speed").write_text(script + SCRIPT.format(step=step, steps=options.steps))
     command = [os.path.abspath(options.dem), "-in", "in.speed", "-log", "log.speed"]
     if options.ranks > 1:
         command = ["mpirun", "--oversubscribe", "-np", str(options.ranks), *command]
@@ -85,9 +68,9 @@ def main():
     options = arguments()
     with tempfile.TemporaryDirectory(prefix="frazil-speed-") as scratch:
         folder = Path(scratch)
-        points = ice.plate(DIAMETER, COLUMNS, ROWS, LAYERS)
-        box = [(min(axis) - DIAMETER, max(axis) + DIAMETER) for axis in zip(*points)]
-        ice.write_data(folder / "plate.data", points, DIAMETER, DENSITY, box, types=1)
+        points = ice.plate(D, COLUMNS, ROWS, LAYERS)
+        box = [(min(axis) - D, max(axis) + D) for axis in zip(*points)]
+        ice.write_data(folder / "plate.data", points, D, RHO, box, types=1)
         without, with_bonds = [], []
         for _ in range(options.repeats):
             without.append(step_time(options, folder, False)[0])

@@ -23,15 +23,6 @@ SECTION = WIDTH * THICKNESS  # [m2]
 GRIP = 3  # columns
 REFERENCE = {1: 2.093, 2.66: 1.546, 5: 1.354}
 SCRIPT = """
-atom_style granular
-boundary f f f
-newton off
-communicate single vel yes
-units si
-read_data plate.data
-neighbor 0.0005 bin
-neigh_modify delay 0
-{model}
 timestep {step:.17g}
 group left id {left}
 group right id {right}
@@ -65,8 +56,9 @@ def pull(check, kappa, stress, ramp, steps, **strengths):
     points, left, right = specimen()
     step = 0.1 * (1.26e-6 if kappa > 2 else 0.81e-6)
     bonds = bond(kappa=kappa, more=f"radius_factor {D / SIZE:.17g} create_gap 0.02 events events.csv", **strengths)
-    text = SCRIPT.format(model=MODEL, step=step, left=left, right=right, bonds=bonds, drag=0.4, ramp=ramp, steps=steps,
-                         force=stress * SECTION / (GRIP * NY * NZ), every=50, dump=dump("d", steps, "x f_bonds[3]"))
+    text = head(data_file="plate.data") + MODEL
+    text += SCRIPT.format(step=step, left=left, right=right, bonds=bonds, drag=0.4, ramp=ramp, steps=steps, every=50,
+                          force=stress * SECTION / (GRIP * NY * NZ), dump=dump("d", steps, "x f_bonds[3]"))
     box = f"{points[0][0] - 0.02} {points[-1][0] + 0.02} -0.01 {WIDTH + 0.01} -0.01 {THICKNESS + 0.01}"
     return check.run(text, files={"plate.data": data([(p, SIZE, RHO) for p in points], box)}), points
 
