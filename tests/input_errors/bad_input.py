@@ -32,7 +32,7 @@ class BadInput(unittest.TestCase):
 
     def fails(self, run, *texts, seconds=SECONDS):
         """Runs the pair: it must fail within seconds and say all texts."""
-        self.ends(run, launcher.start_pair(run), *texts, seconds=seconds)
+        self.ends(run, launcher.start_programs(run), *texts, seconds=seconds)
 
     def ends(self, run, process, *texts, seconds):
         """As fails, for a pair under way."""
@@ -111,7 +111,7 @@ class BadInput(unittest.TestCase):
     def killed(self, program):
         """Kills the program with signal 9 in the middle of a run."""
         run = self.prepared("settling_sphere")
-        process, history, killed = launcher.start_pair(run), launcher.History(run.folder / "history.csv"), []
+        process, history, killed = launcher.start_programs(run), launcher.History(run.folder / "history.csv"), []
 
         def kill():
             while not history.read():

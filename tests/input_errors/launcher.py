@@ -50,7 +50,7 @@ class Launcher(unittest.TestCase):
         launcher.prepare(run)
         start = time.monotonic()
         try:
-            launcher.watch(run, launcher.start_pair(run))
+            launcher.watch(run, launcher.start_programs(run))
         except launcher.Failure as failure:
             return str(failure), time.monotonic() - start
         return "", time.monotonic() - start

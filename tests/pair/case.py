@@ -21,7 +21,7 @@ def run(case, folder, settings=()):
     words = ["run", case, "--out", str(folder)] + [word for setting in settings for word in ("--set", setting)]
     planned = launcher.plan(launcher.parser().parse_args(words))
     launcher.prepare(planned)
-    launcher.watch(planned, launcher.start_pair(planned))
+    launcher.watch(planned, launcher.start_programs(planned))
     return planned
 
 

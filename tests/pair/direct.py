@@ -23,7 +23,7 @@ def run(folder):
     script = planned.folder / "dem/in.settling_sphere"
     script.write_text(script.read_text().replace("single ${offset} ${light_y} ${offset}",
                                                  "single -${offset} ${light_y} -${offset}"))
-    case.launcher.watch(planned, case.launcher.start_pair(planned))
+    case.launcher.watch(planned, case.launcher.start_programs(planned))
     with (planned.folder / "ledger.csv").open() as stream:
         return list(csv.DictReader(stream))
 
