@@ -83,6 +83,6 @@ BondBlock::BondBlock(BondTable& table, std::size_t begin, int count)
 
 void frazil::advanceBlock(BondBlock& block, const BondMaterial& material, double rate)
 {
-    if (material.damping > 0) advanceDamped(block, material, rate);
+    if (material.damping.any()) advanceDamped(block, material, rate);
     else advanceElastic(block, material);
 }

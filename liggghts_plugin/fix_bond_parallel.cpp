@@ -25,6 +25,17 @@ const char* const keywords = "young, stiffness_ratio, tensile_strength, shear_st
                              "friction_angle, damping, create_gap, list, weibull, events";
 inline Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
 
+/// How many numbers follow, at least one: a word that is none is told when it is read.
+int countNumbers(int first, int narg, char** arg)
+{
+    int count = 0;
+    for (char* end = NULL; first + count < narg; ++count) {
+        std::strtod(arg[first + count], &end);
+        if (end == arg[first + count] || *end) break;
+    }
+    return std::max(count, 1);
+}
+
 } // namespace
 
 /* ---------------------------------------------------------------------- */
@@ -32,7 +43,7 @@ inline Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
 FixBondParallel::FixBondParallel(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg), radiusFactor_(1), createGap_(0.01), weibullModulus_(0), weibullSeed_(0), tableNewer_(false),
       owned_(0), created_(false), restarted_(false), list_(NULL), eventsOpened_(false), initialBonds_(0), lostBonds_(0), initialVolume_(0),
-      brokenTension_(0), brokenShear_(0), damped_(0), released_(0), evaluations_(0), countsAt_(-1), totalsAt_(-1), nextStress_(-1), timeBefore_(0), restartTime_(-1), frequency_(0),
+      brokenTension_(0), brokenShear_(0), damped_(0), released_(0), evaluations_(0), countsAt_(-1), totalsAt_(-1), nextStress_(-1), timeBefore_(0), restartTime_(-1), frequency_(0), dashpotTime_(0),
       stressId_(NULL)
 {
     if (!atom->sphere_flag || !atom->omega_flag || !atom->torque_flag)
@@ -114,12 +125,11 @@ void FixBondParallel::parse(int narg, char** arg)
                         {"radius_factor", &radiusFactor_, POSITIVE, false, false},
                         {"moment_factor", &material_.momentFactor, NOT_NEGATIVE, false, false},
                         {"friction_angle", &frictionDegrees, ANGLE, false, false},
-                        {"damping", &material_.damping, NOT_NEGATIVE, false, false},
                         {"create_gap", &createGap_, NOT_NEGATIVE, false, false}}; // the last
 
     for (int iarg = 3; iarg < narg;) {
         const std::string keyword = arg[iarg];
-        const int values = keyword == "weibull" ? 2 : 1;
+        const int values = keyword == "weibull" ? 2 : keyword == "damping" ? countNumbers(iarg + 1, narg, arg) : 1;
         if (iarg + values >= narg)
             require(false, keyword, "nothing", "lacks its value", "see doc/fix_bond_parallel.md; keywords: " +
                     std::string(keywords));
@@ -134,11 +144,9 @@ void FixBondParallel::parse(int narg, char** arg)
             if (option->range == ANGLE)
                 require(v >= 0 && v < 90, keyword, arg[iarg + 1], "is no friction angle", "give degrees, 0 <= angle < 90");
         } else if (keyword == "weibull") {
-            weibullModulus_ = number("weibull", arg[iarg + 1]);
-            const double seed = number("weibull", arg[iarg + 2]);
-            weibullSeed_ = static_cast<int>(seed);
-            require(weibullModulus_ > 0, keyword, arg[iarg + 1], "is no Weibull modulus", "give m > 0, then the seed");
-            require(seed == weibullSeed_ && seed > 0, keyword, arg[iarg + 2], "is no seed", "give a whole number > 0");
+            parseWeibull(arg + iarg + 1);
+        } else if (keyword == "damping") {
+            parseDamping(values, arg + iarg + 1);
         } else if (keyword == "events") {
             eventsFile_ = arg[iarg + 1];
         } else if (keyword == "list") {
@@ -154,6 +162,30 @@ void FixBondParallel::parse(int narg, char** arg)
     const bool gapGiven = std::end(options)[-1].given;
     require(listFile_.empty() || !gapGiven, "list", listFile_, "stands beside create_gap", "give one of the two");
     material_.frictionTan = std::tan(frictionDegrees * M_PI / 180);
+}
+
+void FixBondParallel::parseWeibull(char** arg)
+{
+    weibullModulus_ = number("weibull", arg[0]);
+    const double seed = number("weibull", arg[1]);
+    weibullSeed_ = static_cast<int>(seed);
+    require(weibullModulus_ > 0, "weibull", arg[0], "is no Weibull modulus", "give m > 0, then the seed");
+    require(seed == weibullSeed_ && seed > 0, "weibull", arg[1], "is no seed", "give a whole number > 0");
+}
+
+/// One fraction for all modes, or one for each.
+void FixBondParallel::parseDamping(int count, char** arg)
+{
+    std::string given = arg[0];
+    for (int n = 1; n < count; ++n) given += std::string(" ") + arg[n];
+    require(count == 1 || count == 4, "damping", given, "is neither one number nor four",
+            "give one fraction for all modes, or those of normal, shear, torsion and bending");
+    double fractions[4];
+    for (int n = 0; n < 4; ++n) {
+        fractions[n] = number("damping", arg[count == 4 ? n : 0]);
+        require(fractions[n] >= 0, "damping", given, "is negative", "give values >= 0");
+    }
+    material_.damping = {fractions[0], fractions[1], fractions[2], fractions[3]};
 }
 
 /* ----------------------------------------------------------------------
@@ -234,7 +266,7 @@ void FixBondParallel::evaluateBlock(std::size_t begin, double dt)
     BondBlock block(table_, begin, static_cast<int>(std::min<std::size_t>(BondBlock::capacity, table_.size() - begin)));
     gather(block, begin);
     advanceBlock(block, material_, dt > 0 ? 1 / dt : 0);
-    if (dt == 0 && material_.damping > 0) dampAtRest(block, begin);
+    if (dt == 0 && material_.damping.any()) dampAtRest(block, begin);
     scatter(block, begin, dt);
 }
 
@@ -296,9 +328,18 @@ void FixBondParallel::scatter(const BondBlock& block, std::size_t begin, double 
             torque[j][axis] += block.torque2[axis][b];
         }
     }
-    if (material_.damping == 0) return;
+    if (!material_.damping.any()) return;
     for (int b = 0; b < block.count; ++b)
         damped_ += dt * block.power[b] * 0.5 * ((target1[b] < atom->nlocal) + (target2[b] < atom->nlocal));
+}
+
+/// A line on the screen and in the log.
+void FixBondParallel::say(const std::string& what) const
+{
+    if (comm->me) return;
+    const std::string line = "Fix bond/parallel (id " + std::string(id) + "): " + what + "\n";
+    if (screen) fputs(line.c_str(), screen);
+    if (logfile) fputs(line.c_str(), logfile);
 }
 
 /// Simulated time [s], also after a restart.

@@ -83,6 +83,9 @@ private:
     void parse(int, char**);
     void require(bool, const std::string&, const std::string&, const std::string&, const std::string&);
     double number(const char*, const char*);
+    void parseWeibull(char**);
+    void parseDamping(int, char**);
+    void say(const std::string&) const;
     void evaluate(int);
     void evaluateBlock(std::size_t, double);
     void gather(frazil::BondBlock&, std::size_t);
@@ -109,7 +112,7 @@ private:
     void countBonds();
     int largestCount() const;
 
-    // fix_bond_parallel_output.cpp: results, events, time step
+    // fix_bond_parallel_output.cpp: results, events
     void reduceCounts();
     void reduceTotals();
     void tallyVirial(int);
@@ -117,7 +120,14 @@ private:
     void scheduleStress(bigint);
     void flushEvents();
     bool writeEvents(std::vector<Event>&);
+
+    // fix_bond_parallel_timestep.cpp: critical time step
     void checkTimeStep();
+    double largestDashpotTime();
+    double contactFrequencySquared();
+    double presentContacts(const double*, const double*) const;
+    double newContact(const double*, const double*, double) const;
+    double greatestSpeed() const;
     double largestFrequency();
     double inertia(int, int) const;
     double massProduct(const std::vector<double>&, const std::vector<double>&);
@@ -153,7 +163,8 @@ private:
 
     double timeBefore_; // what the host's clock forgot at a restart [s]
     double restartTime_; // of the restart file, until the first run knows the time step; otherwise -1 [s]
-    double frequency_;              // largest of the bonds, at the last setup [rad/s]; 0: not known
+    double frequency_;              // largest of the bonds when they were created or read [rad/s]; 0: not known
+    double dashpotTime_;            // largest dashpot over spring of the bonds then [s]
     std::vector<double> vibration_; // six per owned and ghost sphere, while frequency_ is sought
     char* stressId_;                // compute that asks the pair style for its per-atom virial
 };

@@ -42,12 +42,7 @@ void FixBondParallel::create()
     reduceCounts();
     initialBonds_ = static_cast<bigint>(counts_[INTACT]);
     if (listFile_.empty()) checkReach();
-    if (comm->me == 0) {
-        char text[128];
-        snprintf(text, sizeof text, "Fix bond/parallel (id %s): " BIGINT_FORMAT " bonds created\n", id, initialBonds_);
-        if (screen) fputs(text, screen);
-        if (logfile) fputs(text, logfile);
-    }
+    say(std::to_string(initialBonds_) + " bonds created");
 }
 
 /* ----------------------------------------------------------------------

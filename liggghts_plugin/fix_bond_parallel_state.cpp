@@ -102,14 +102,9 @@ void FixBondParallel::countLost()
     reduceCounts();
     const bigint present = static_cast<bigint>(counts_[INTACT] + counts_[TENSION] + counts_[SHEAR]);
     const bigint lost = initialBonds_ - present;
-    if (lost > lostBonds_ && comm->me == 0) {
-        char text[256];
-        snprintf(text, sizeof text, "Fix bond/parallel (id %s): " BIGINT_FORMAT
-                 " bonds went with particles that were deleted or lost (" BIGINT_FORMAT " so far)\n",
-                 id, lost - lostBonds_, lost);
-        if (screen) fputs(text, screen);
-        if (logfile) fputs(text, logfile);
-    }
+    if (lost > lostBonds_)
+        say(std::to_string(lost - lostBonds_) + " bonds went with particles that were deleted or lost (" +
+            std::to_string(lost) + " so far)");
     lostBonds_ = lost;
 }
 

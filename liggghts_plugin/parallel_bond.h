@@ -28,6 +28,13 @@
 namespace frazil
 {
 
+/// Damping of the four modes, fractions of critical [-].
+struct BondFractions {
+    double normal = 0, shear = 0, torsion = 0, bending = 0;
+
+    bool any() const { return normal > 0 || shear > 0 || torsion > 0 || bending > 0; }
+};
+
 /// Material of the bonds, as given by the user.
 struct BondMaterial {
     double young = 0;           ///< E_b [Pa]
@@ -36,7 +43,7 @@ struct BondMaterial {
     double shearStrength = 0;   ///< tau_c, the cohesion if frictionTan > 0 [Pa]
     double frictionTan = 0;     ///< tan of the friction angle: tau_c grows by it times the compressive stress [-]
     double momentFactor = 1;    ///< beta, share of the moments in the stresses [-]
-    double damping = 0;         ///< fraction of critical damping in each mode [-]
+    BondFractions damping;
 };
 
 /// What does not change while the bond lives.
@@ -182,12 +189,12 @@ inline double viscousPower(const BondIncrement& motion, const BondDashpots& c, d
             c.torsion * motion.twist * motion.twist + c.bending * dot(motion.bend, motion.bend));
 }
 
-/// Dashpots at a fraction of critical: c = 2 zeta sqrt(k m), with the pair's reduced mass [kg] and inertia [kg m2].
-inline BondDashpots dashpotsOf(const BondStiffness& k, double fraction, double reducedMass, double reducedInertia)
+/// Dashpots at fractions of critical: c = 2 zeta sqrt(k m), with the pair's reduced mass [kg] and inertia [kg m2].
+inline BondDashpots dashpotsOf(const BondStiffness& k, const BondFractions& zeta, double reducedMass, double reducedInertia)
 {
-    const double twice = 2 * fraction;
-    return {twice * std::sqrt(k.normal * reducedMass), twice * std::sqrt(k.shear * reducedMass),
-            twice * std::sqrt(k.torsion * reducedInertia), twice * std::sqrt(k.bending * reducedInertia)};
+    return {2 * zeta.normal * std::sqrt(k.normal * reducedMass), 2 * zeta.shear * std::sqrt(k.shear * reducedMass),
+            2 * zeta.torsion * std::sqrt(k.torsion * reducedInertia),
+            2 * zeta.bending * std::sqrt(k.bending * reducedInertia)};
 }
 
 /// Tension positive normal stress of the disc without moments [Pa].
