@@ -254,6 +254,7 @@ void FixBondParallel::evaluate(int vflag)
     for (int i = 0; i < all; ++i) turns_[i] = cayleyVector(vec(atom->omega[i]), dt);
 
     for (std::size_t begin = 0; begin < table_.size(); begin += BondBlock::capacity) evaluateBlock(begin, dt);
+    tableNewer_ = true; // a restart file may have been written since the last reneighbouring
 
     std::sort(broken_.begin(), broken_.end());
     for (; !broken_.empty(); broken_.pop_back()) table_.remove(broken_.back());

@@ -134,9 +134,40 @@ def damping(check):
     check.true("damping takes nearly all", rows[-1][3] > 0.9 * rows[0][2], f"{rows[-1][3] / rows[0][2]:.3f} of the energy")
 
 
+def damping_of_modes(check):
+    """Each mode of a symmetric pair vibrates alone and decays at its own fraction: frequency and logarithmic decrement."""
+    fractions = (0.02, 0.04, 0.06, 0.08)  # normal, shear, torsion, bending
+    ks, inertia = KN / KAPPA, 0.4 * MASS * R**2
+    # Opposite spins twist or bend. Spheres that slip past each other roll the same way, so that the pair does not turn; the
+    # spins add to the slip, so the mode is faster, and its fraction larger, by the root of 1 + 5/2 (S/D)^2.
+    roll = math.sqrt(1 + 2.5 * (S / D)**2)
+    modes = {"normal": ("vx", [1e-3, 0, 0], [0, 0, 0], 1, math.sqrt(2 * KN / MASS), fractions[0]),
+             "shear": ("vz", [0, 0, 1e-3], [0, -1e-3 * S / (0.8 * R**2), 0], 1, math.sqrt(2 * ks / MASS) * roll, fractions[1] * roll),
+             "torsion": ("omegax", [0, 0, 0], [1, 0, 0], -1, math.sqrt(ks * R**2 / inertia), fractions[2]),
+             "bending": ("omegaz", [0, 0, 0], [0, 0, 1], -1, math.sqrt(KN * R**2 / 2 / inertia), fractions[3])}
+    dt = 1e-8
+    for mode, (column, v, omega, same, rate, fraction) in modes.items():
+        script = head() + MODEL + spheres([[0, 0, 0], [S, 0, 0]]) + f"timestep {dt}\n"
+        script += bond(more="damping " + " ".join(map(str, fractions)))
+        for i, direction in ((1, 1), (2, -1)):
+            w = omega if i == 1 else scaled(omega, same)
+            script += f"group g{i} id {i}\nvelocity g{i} set {vec(scaled(v, direction))} units box\n"
+            script += f"set group g{i} omegax {w[0]} omegay {w[1]} omegaz {w[2]}\n"
+        steps = int(4.5 * 2 * math.pi / rate / dt)
+        script += f"fix nve all nve/sphere\n{dump('d', 10, column, 'g1')}run {steps}\n"
+        run = check.run(script)
+        values = [run.rows("d", step)[1][0] for step in run.steps("d")]
+        peaks = [b for a, b, c in zip(values, values[1:], values[2:]) if b > a and b > c]
+        times = crossings([10 * dt * n for n in range(len(values))], values)
+        decrement = math.log(peaks[0] / peaks[2]) / 2
+        check.near(f"damping of {mode}, fraction of critical", decrement / math.hypot(2 * math.pi, decrement), fraction, 1e-2)
+        damped = rate * math.sqrt(1 - fraction**2)
+        check.near(f"frequency of {mode} [rad/s]", 2 * math.pi * (len(times) - 1) / (times[-1] - times[0]), damped, 5e-3)
+
+
 def main():
     check = Check()
-    for case in (oscillation, wave, cantilever, cantilever_frequency, torsion, energy, damping):
+    for case in (oscillation, wave, cantilever, cantilever_frequency, torsion, energy, damping, damping_of_modes):
         case(check)
     check.finish()
 

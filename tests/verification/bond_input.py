@@ -6,6 +6,9 @@ NEEDED = "young 5e8 stiffness_ratio 2.66 tensile_strength 1.2e6 shear_strength 0
 CASES = {
     "not a number": ("young abc stiffness_ratio 1 tensile_strength 1 shear_strength 1", "", ["'young'", "'abc'", "number"]),
     "negative": (NEEDED + " damping -1", "", ["'damping'", "'-1'", ">= 0"]),
+    "two dampings": (NEEDED + " damping 0.1 0.2", "", ["'damping'", "'0.1 0.2'", "neither one number nor four"]),
+    "one of four negative": (NEEDED + " damping 0.1 0.2 -3 0", "", ["'damping'", "'0.1 0.2 -3 0'", ">= 0"]),
+    "no damping": (NEEDED + " damping much", "", ["'damping'", "'much'", "not a number"]),
     "zero strength": (NEEDED.replace("1.2e6", "0"), "", ["'tensile_strength'", "'0'", "> 0"]),
     "friction angle": (NEEDED + " friction_angle 95", "", ["'friction_angle'", "'95'", "90"]),
     "unknown keyword": (NEEDED + " strenght 1", "", ["'strenght'", "known are", "tensile_strength"]),

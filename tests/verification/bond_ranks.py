@@ -76,6 +76,22 @@ def deletion(check):
     check.true("deletion: same count on 1 and 4 ranks", len(counts) == 1, str(counts))
 
 
+def leaving(check):
+    """A struck plate loses spheres through the sides of its box: their bonds are counted as gone, the others go on."""
+    script = start("* * 1").replace("events events.csv", "") + "group flier id 1:12\nvelocity flier set 0 -40 0 units box\n"
+    script += f"run {STEPS}\n"
+    results = []
+    for ranks in (1, 4):
+        run = check.run(script, ranks=ranks, files=FILES)
+        first, last = run.thermo()[0][1:3], run.thermo()[-1][1:3]
+        lost = sum(int(line.split(":")[1].split()[0]) for line in run.output.splitlines() if "went with particles" in line)
+        gone = len(FILES["plate.data"].splitlines()) - 11 - len(run.rows("d", STEPS))
+        check.true(f"leaving the box on {ranks} ranks", lost > 0 and first[0] - last[0] - last[1] == lost,
+                   f"{gone} spheres and {lost} bonds left, {last[1]:g} broken, {last[0]:g} of {first[0]:g} are there")
+        results.append((lost, *last))
+    check.true("leaving the box: the same on 1 and 4 ranks", results[0] == results[1], str(results))
+
+
 def main():
     check = Check()
     reference = check.run(start("1 1 1") + f"run {STEPS}\n", files=FILES)
@@ -89,7 +105,10 @@ def main():
         folder = half.folder + f"_restarted_{ranks}"
         shutil.copytree(half.folder, folder)
         compare(check, f"restart of 2 ranks on {ranks}", check.run(again(processors), ranks=ranks, folder=folder), reference)
+    written = start("2 1 1", MEMORYLESS) + f"restart {STEPS // 7} on_the_way.*\nrun {STEPS}\n"
+    compare(check, "restart files written on the way", check.run(written, ranks=2, files=FILES), reference)
     deletion(check)
+    leaving(check)
     check.finish()
 
 
