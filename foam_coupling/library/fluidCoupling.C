@@ -6,6 +6,8 @@
 #include "zeroGradientFvPatchFields.H"
 #include "Time.H"
 
+#include <cstring>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -90,13 +92,28 @@ Foam::fluidCoupling::fluidCoupling
         zeroGradientFvPatchScalarField::typeName
     ),
     reaction_(mesh),
+    bodyLoads_
+    (
+        IOobject
+        (
+            "bodyLoads",
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
     fluidFractionRead_(fluidFraction_.headerOk())
 {
     const dictionary bodies(couplingProperties.subOrEmptyDict("bodies"));
     if (!bodies.empty())
     {
         bodies_.reset(new immersedBodies(mesh, bodies));
-        bodies_->place(loadedStates());
+        if (!bodies_->continued())
+        {
+            bodies_->place(loadedStates());
+        }
     }
 
     const frazil::Settings settings(couplingSettings(couplingProperties));
@@ -115,6 +132,7 @@ Foam::fluidCoupling::fluidCoupling
                 bodyHellos()
             )
         );
+        exchange_->setBodyLoads(loadsRead());
     }
     else
     {
@@ -181,8 +199,8 @@ void Foam::fluidCoupling::updateBodies
     const std::vector<frazil::BodyState>& states
 )
 {
-    // frazilDem may have moved its surfaces before the coupling began
-    if (firstStep_)
+    // frazilDem may have moved its surfaces before the coupling began; a prescribed motion starts anew in each run
+    if (firstStep_ && (motion_ || !bodies_->continued()))
     {
         bodies_->place(states);
     }
@@ -233,10 +251,21 @@ void Foam::fluidCoupling::update()
 
 void Foam::fluidCoupling::endStep(const std::vector<frazil::BodyLoad>& loads)
 {
+    static_assert(sizeof(frazil::BodyLoad) == loadWords*sizeof(scalar), "a load is a row of numbers");
+    bodyLoads_.setSize(loadWords*label(loads.size()));
+    std::memcpy(bodyLoads_.data(), loads.data(), loads.size()*sizeof(frazil::BodyLoad));
     if (exchange_)
     {
         exchange_->setBodyLoads(loads);
     }
+}
+
+
+std::vector<frazil::BodyLoad> Foam::fluidCoupling::loadsRead() const
+{
+    std::vector<frazil::BodyLoad> loads(bodyLoads_.size()/loadWords);
+    std::memcpy(static_cast<void*>(loads.data()), bodyLoads_.cdata(), loads.size()*sizeof(frazil::BodyLoad));
+    return loads;
 }
 
 

@@ -277,6 +277,46 @@ void Foam::immersedBodies::placeAtEnd()
 {
     cutAt(end_, closedEnd_);
     setTheta();
+    keepPoses();
+}
+
+
+void Foam::immersedBodies::keepPoses()
+{
+    poses_.setSize(poseWords*bodies_.size());
+    scalar* row = poses_.data();
+    forAll(bodies_, i)
+    {
+        start_[i].put(row);
+        end_[i].put(row + bodyPose::words);
+        const frazil::Vec3& centre = bodies_[i].massCentre();
+        for (int c = 0; c < 3; ++c)
+        {
+            row[2*bodyPose::words + c] = centre[c];
+        }
+        row += poseWords;
+    }
+}
+
+
+//- Both poses of the last step before the run was interrupted, with all that follows from them
+void Foam::immersedBodies::goOn()
+{
+    const scalar* row = poses_.cdata();
+    forAll(bodies_, i)
+    {
+        start_[i] = bodyPose(row);
+        end_[i] = bodyPose(row + bodyPose::words);
+        const scalar* centre = row + 2*bodyPose::words;
+        bodies_[i].setMassCentre({centre[0], centre[1], centre[2]});
+        row += poseWords;
+    }
+    cutAt(start_, closedStart_);
+    gamma_.oldTime() == gamma_;
+    cutAt(end_, closedEnd_);
+    timeIndex_ = mesh_.time().timeIndex();
+    setTheta();
+    continued_ = true;
 }
 
 
@@ -291,6 +331,19 @@ Foam::immersedBodies::immersedBodies
     mesh_(mesh),
     cutting_(new bodyCutting(mesh)),
     timeIndex_(-1),
+    poses_
+    (
+        IOobject
+        (
+            "bodyPoses",
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    continued_(false),
     found_(false),
     gamma_
     (
@@ -349,6 +402,10 @@ Foam::immersedBodies::immersedBodies
     start_ = end_;
     closedStart_.reset(mesh.nFaces());
     closedEnd_.reset(mesh.nFaces());
+    if (poses_.size() == poseWords*bodies_.size() && bodies_.size())
+    {
+        goOn();
+    }
 }
 
 
@@ -370,6 +427,7 @@ void Foam::immersedBodies::place(const std::vector<frazil::BodyState>& states)
     closedStart_ = closedEnd_;
     timeIndex_ = mesh_.time().timeIndex();
     setTheta();
+    keepPoses();
 }
 
 

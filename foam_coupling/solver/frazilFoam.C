@@ -45,6 +45,7 @@ int main(int argc, char *argv[])
     #include "createDyMControls.H"
     #include "createFields.H"
     #include "createAlphaFluxes.H"
+    const surfaceScalarField phiAtStart("phiAtStart", phi);
     #include "initCorrectPhi.H"
     #include "createUfIfPresent.H"
 

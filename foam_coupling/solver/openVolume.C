@@ -172,7 +172,13 @@ void openVolume::use
     faces_.reset(new surfaceScalarField("openFaces", fvc::interpolate(one*end_())));
     merged_.reset(new surfaceScalarField("mergedFaces", 0*faces_()));
     cuttingFlux_.reset(new surfaceScalarField("cuttingFlux", 0*phi));
-    wholeFlux_.reset(new surfaceScalarField("phiWhole", phi));
+    wholeFlux_.reset
+    (
+        new surfaceScalarField
+        (
+            IOobject("phiWhole", mesh_.time().timeName(), mesh_, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE), phi
+        )
+    );
 
     // Named as rho, so that the schemes of rho apply to it, but known to nobody
     rhoE_.reset

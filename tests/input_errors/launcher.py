@@ -102,6 +102,8 @@ class Launcher(unittest.TestCase):
         table = self.folder / "history.csv"
         table.write_text("time,y\n0,1\n0.1,2\n0.2,3\n")
         launcher.forget_after(table, 0.1)
+        self.assertEqual(table.read_text(), "time,y\n0,1\n0.1,2\n")
+        launcher.forget_after(table, 0.1, inclusive=True)
         self.assertEqual(table.read_text(), "time,y\n0,1\n")
 
     def test_resume_restarts_both_programs(self):
@@ -111,7 +113,7 @@ class Launcher(unittest.TestCase):
                  "params.json": "{}", "foam/0.1/U": "", "dem/restart.10": "", "dem/start": "read_data ice\n",
                  "foam/system/controlDict": "startFrom latestTime;\nstartTime 0;\nendTime 1;\n",
                  "history.csv": "time,substeps\n0,10\n0.1,10\n", "ledger.csv": "time\n0\n0.1\n",
-                 "dem/bonds.csv": "time,id1\n0.05,1\n0.15,2\n"}
+                 "dem/bonds.csv": "time,id1\n0.05,1\n0.1,3\n0.15,2\n"}
         for name, text in files.items():
             (run.folder / name).parent.mkdir(parents=True, exist_ok=True)
             (run.folder / name).write_text(text)
@@ -120,7 +122,7 @@ class Launcher(unittest.TestCase):
         self.assertEqual(read("dem/start"), "read_restart dem/restart.10\n")
         self.assertIn("startTime 0.1;", read("foam/system/controlDict"))
         self.assertEqual(read("ledger.csv"), "time\n0\n")
-        self.assertEqual(read("dem/bonds.csv"), "time,id1\n0.05,1\n")
+        self.assertEqual(read("dem/bonds.csv"), "time,id1\n0.05,1\n0.1,3\n")
 
     def test_shipped_cases_that_resume(self):
         """Their scripts create particles through dem/start, and write the restart files that resume looks for."""
@@ -132,6 +134,16 @@ class Launcher(unittest.TestCase):
     def test_resume_of_nothing(self):
         with self.assertRaisesRegex(launcher.Failure, "--resume: no run of toy"):
             launcher.resume(self.arguments("--resume"))
+
+    def test_a_case_without_fluid_runs_particles_alone(self):
+        (self.case / "case.json").write_text(json.dumps({**CASE, "pair": False}))
+        self.program("frazilDem", "echo \"$@\" >arguments")
+        run = launcher.plan(self.arguments())
+        launcher.prepare(run)
+        launcher.watch(run, launcher.start_programs(run))
+        self.assertIn("-in dem/in.toy", (run.folder / "arguments").read_text())
+        with self.assertRaisesRegex(launcher.Failure, "toy has no fluid"):
+            launcher.plan(launcher.parser().parse_args(["run", str(self.case), "--np-foam", "2"]))
 
     def test_decomposition_cuts_the_horizontal_axes(self):
         self.assertIn("n (3 1 2)", launcher.decomposition(6))

@@ -60,22 +60,33 @@ def replace(path, *pairs):
     path.write_text(text)
 
 
-def run(folder, dem_ranks, foam_ranks):
-    """(broken bonds, positions by id, number of fluid steps) of one run of the pair."""
+def run(folder, dem_ranks, foam_ranks, edit=None):
+    """Outcome of one run of the pair; edit(folder) may change its inputs."""
     prepare(folder, foam_ranks)
-    exec_ = [ROOT / "frazil", "exec"]
+    if edit:
+        edit(folder)
     quiet = {"check": True, "stdout": subprocess.DEVNULL}
     for tool in (["blockMesh"], ["setFields"]) + ((["decomposePar"],) if foam_ranks > 1 else ()):
-        subprocess.run([*exec_, *tool], cwd=folder / "foam", **quiet)
+        subprocess.run([ROOT / "frazil", "exec", *tool], cwd=folder / "foam", **quiet)
+    launch(folder, dem_ranks, foam_ranks)
+    return outcome(folder)
+
+
+def launch(folder, dem_ranks, foam_ranks):
+    """The pair in a prepared folder; a failure ends the test."""
     parallel = ["-parallel"] if foam_ranks > 1 else []
     with open(folder / "log.pair", "w") as log:
         code = subprocess.run(
-            [*exec_, "mpirun", "--oversubscribe", "-np", str(dem_ranks), BUILD / "bin/frazilDem", "-in",
+            [ROOT / "frazil", "exec", "mpirun", "--oversubscribe", "-np", str(dem_ranks), BUILD / "bin/frazilDem", "-in",
              "dem/in.ice_entry", "-log", "log.dem", "-screen", "/dev/null", ":", "-np", str(foam_ranks),
              BUILD / "bin/frazilFoam", "-case", "foam", *parallel],
             cwd=folder, stdout=log, stderr=log, timeout=600).returncode
     if code:
         sys.exit(f"{dem_ranks}:{foam_ranks} ended with {code}:\n" + (folder / "log.pair").read_text()[-2000:])
+
+
+def outcome(folder):
+    """(broken bonds, positions by id, number of fluid steps) of a run."""
     with open(folder / "dem/bonds.csv") as file:
         broken = sorted((row["id1"], row["id2"], row["mode"]) for row in csv.DictReader(file))
     last = (folder / "dem/positions").read_text().split("ITEM: ATOMS")[-1].splitlines()[1:]
@@ -83,25 +94,29 @@ def run(folder, dem_ranks, foam_ranks):
     return broken, positions, len((folder / "ledger.csv").read_text().splitlines()) - 1
 
 
+def compare(name, result, reference, limit):
+    """Prints how a run differs from the reference; whether it passes."""
+    (others, moved, _), (broken, positions, _) = result, reference
+    same = moved.keys() == positions.keys()
+    shift = max(abs(a - b) for i in positions for a, b in zip(positions[i], moved[i])) / DIAMETER if same else float("inf")
+    passed = others == broken and shift <= limit
+    print(f"{'PASS' if passed else 'FAIL'} {name}  {len(others)} bonds broken, "
+          f"{'the same' if others == broken else 'others'}, positions within {shift:.2g} D (limit {limit:g} D)", flush=True)
+    return passed
+
+
 def main():
-    failed = False
     with tempfile.TemporaryDirectory(prefix="frazil-ranks-") as scratch:
         results = {}
         for dem, foam in ((1, 1), (2, 1), (1, 2), (2, 2), (2, 4), (4, 3)):
             folder = Path(scratch) / f"{dem}-{foam}"
             folder.mkdir()
             results[dem, foam] = run(folder, dem, foam)
-        broken, positions, steps = results.pop((1, 1))
-        print(f"1:1  {steps} fluid steps, {len(broken)} bonds broken, {len(positions)} spheres")
-        failed |= steps < STEPS or not broken
-        for (dem, foam), (others, moved, _) in results.items():
-            limit = 1e-9 if foam == 1 else 1e-6
-            shift = max(abs(a - b) for i in positions for a, b in zip(positions[i], moved[i])) / DIAMETER
-            passed = others == broken and shift <= limit and moved.keys() == positions.keys()
-            failed |= not passed
-            print(f"{'PASS' if passed else 'FAIL'} {dem}:{foam}  {len(others)} bonds broken, "
-                  f"{'the same' if others == broken else 'others'}, positions within {shift:.2g} D (limit {limit:g} D)")
-    sys.exit(failed)
+    broken, positions, steps = reference = results.pop((1, 1))
+    print(f"1:1  {steps} fluid steps, {len(broken)} bonds broken, {len(positions)} spheres")
+    passed = [compare(f"{dem}:{foam}", result, reference, 1e-9 if foam == 1 else 1e-6)
+              for (dem, foam), result in results.items()]
+    sys.exit(not (all(passed) and steps >= STEPS and broken))
 
 
 if __name__ == "__main__":
