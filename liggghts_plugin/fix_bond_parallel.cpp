@@ -25,6 +25,14 @@ const char* const keywords = "young, stiffness_ratio, tensile_strength, shear_st
                              "friction_angle, damping, create_gap, list, weibull, events";
 inline Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
 
+/// Does any bond of the block exceed its strength?
+bool breaks(const BondBlock& block)
+{
+    int count = 0;
+    for (int b = 0; b < block.count; ++b) count += (block.useTension[b] > 1) | (block.useShear[b] > 1);
+    return count > 0;
+}
+
 /// How many numbers follow, at least one: a word that is none is told when it is read.
 int countNumbers(int first, int narg, char** arg)
 {
@@ -273,10 +281,10 @@ void FixBondParallel::evaluateBlock(std::size_t begin, double dt)
 
 void FixBondParallel::gather(BondBlock& block, std::size_t begin)
 {
-    double** x = atom->x;
+    const double* x = atom->x[0]; // the host's rows lie one behind the other
     const int *at1 = &table_.at1[begin], *at2 = &table_.at2[begin];
     for (int b = 0; b < block.count; ++b) {
-        const double *x1 = x[at1[b]], *x2 = x[at2[b]];
+        const double *x1 = x + 3 * at1[b], *x2 = x + 3 * at2[b];
         const Vec3 &turn1 = turns_[at1[b]], &turn2 = turns_[at2[b]];
         for (int axis = 0; axis < 3; ++axis) {
             block.separation[axis][b] = x2[axis] - x1[axis];
@@ -311,22 +319,19 @@ void FixBondParallel::dampAtRest(BondBlock& block, std::size_t begin)
     }
 }
 
-void FixBondParallel::scatter(const BondBlock& block, std::size_t begin, double dt)
+void FixBondParallel::scatter(BondBlock& block, std::size_t begin, double dt)
 {
-    double **f = atom->f, **torque = atom->torque;
+    if (breaks(block)) breakBonds(block, begin);
+    double *f = atom->f[0], *torque = atom->torque[0];
     const int *target1 = &table_.target1[begin], *target2 = &table_.target2[begin];
     for (int b = 0; b < block.count; ++b) {
-        if (block.useTension[b] > 1 || block.useShear[b] > 1) {
-            breakBond(begin + b, {block.useTension[b], block.useShear[b]});
-            continue;
-        }
         // What is added to a ghost is never read: its owner has its own copy of the bond.
-        const int i = target1[b], j = target2[b];
+        const int i = 3 * target1[b], j = 3 * target2[b];
         for (int axis = 0; axis < 3; ++axis) {
-            f[i][axis] += block.force[axis][b];
-            f[j][axis] -= block.force[axis][b];
-            torque[i][axis] += block.torque1[axis][b];
-            torque[j][axis] += block.torque2[axis][b];
+            f[i + axis] += block.force[axis][b];
+            f[j + axis] -= block.force[axis][b];
+            torque[i + axis] += block.torque1[axis][b];
+            torque[j + axis] += block.torque2[axis][b];
         }
     }
     if (!material_.damping.any()) return;
@@ -347,6 +352,17 @@ void FixBondParallel::say(const std::string& what) const
 double FixBondParallel::time() const
 {
     return timeBefore_ + update->atime + (update->ntimestep - update->atimestep) * update->dt;
+}
+
+/// Breaks what exceeds its strength; it gives no load any more.
+void FixBondParallel::breakBonds(BondBlock& block, std::size_t begin)
+{
+    for (int b = 0; b < block.count; ++b) {
+        if (!(block.useTension[b] > 1 || block.useShear[b] > 1)) continue;
+        breakBond(begin + b, {block.useTension[b], block.useShear[b]});
+        for (int axis = 0; axis < 3; ++axis) block.force[axis][b] = block.torque1[axis][b] = block.torque2[axis][b] = 0;
+        block.power[b] = 0;
+    }
 }
 
 /// The bond is gone from this step on. Its events, counts and energy belong to the owner of the lower id.

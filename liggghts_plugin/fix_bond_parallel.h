@@ -90,7 +90,8 @@ private:
     void evaluateBlock(std::size_t, double);
     void gather(frazil::BondBlock&, std::size_t);
     void dampAtRest(frazil::BondBlock&, std::size_t);
-    void scatter(const frazil::BondBlock&, std::size_t, double);
+    void scatter(frazil::BondBlock&, std::size_t, double);
+    void breakBonds(frazil::BondBlock&, std::size_t);
     double time() const;
     void breakBond(std::size_t, const frazil::BondUse&);
 

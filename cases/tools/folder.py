@@ -25,17 +25,24 @@ def copy_foam(source, run, numbers):
     (foam / "constant/triSurface").mkdir(exist_ok=True)
 
 
-def copy_dem(script, run, numbers, start=None):
-    """dem/in.<case>, and dem/parameters, which it includes: one LIGGGHTS variable per number.
+def copy_dem(script, run, numbers, start=None, name=None):
+    """dem/in.<case>, and dem/parameters, which it includes: one LIGGGHTS variable per number, a list as an index variable,
+    whose values the script takes in turn.
 
     start: the commands that create box and particles, as dem/start, which the script includes; `--resume` puts
-    read_restart in their place."""
+    read_restart in their place. name: of the case, where it is not the script's."""
     (run / "dem").mkdir(parents=True, exist_ok=True)
-    shutil.copy(script, run / "dem")
-    lines = [f"variable {key} string {text(value)}\n" for key, value in numbers.items()]
+    shutil.copy(script, run / "dem" / (f"in.{name}" if name else script.name))
+    lines = [f"variable {key} {'index' if isinstance(value, list) else 'string'} {words(value)}\n"
+             for key, value in numbers.items()]
     (run / "dem/parameters").write_text("".join(lines))
     if start:
         (run / "dem/start").write_text(start)
+
+
+def words(value):
+    """A number, or several."""
+    return " ".join(map(text, value)) if isinstance(value, list) else text(value)
 
 
 def text(value):

@@ -18,6 +18,20 @@ def plate(diameter, columns, rows, layers):
     return [(diameter * (x - width[0] / 2), diameter * y, diameter * (z - width[1] / 2)) for x, y, z in points]
 
 
+def contacts(points, diameter):
+    """Pairs (n, m), n < m, of numbers of points that are no farther apart than 1.001 diameters."""
+    cells = {}
+    for n, point in enumerate(points):
+        cells.setdefault(tuple(math.floor(c / diameter) for c in point), []).append(n)
+    around = [(i, j, k) for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1)]
+    pairs = []
+    for cell, members in cells.items():
+        near = [m for shift in around for m in cells.get(tuple(map(sum, zip(cell, shift))), ())]
+        pairs += [(n, m) for n in members for m in near
+                  if n < m and math.dist(points[n], points[m]) < 1.001 * diameter]
+    return pairs
+
+
 def thickness(diameter, layers):
     """From the lowest to the highest point of the plate [m]."""
     return diameter * (1 + LAYER * (layers - 1))

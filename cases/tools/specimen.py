@@ -1,0 +1,124 @@
+"""What the cases share in which a specimen of ice is loaded until it breaks, frazilDem alone: ice_tension, ice_compression,
+ice_bending. y is up, close-packed rows along x, the specimen is centred on the axis x = z = 0. SI units.
+"""
+import math
+
+import numpy
+
+import checks
+import folder
+import ice
+import lattice
+
+
+PAPER = {"E": 0.7e9, lattice.COMPRESSION: 2.56e6, lattice.BENDING: 0.81e6}  # bulk values of its ice [Pa]; no tension
+
+
+class Specimen:
+    """A bar of columns x rows x layers spheres and its measures."""
+
+    def __init__(self, parameters):
+        self.diameter = parameters["sphere_diameter"]
+        self.columns, self.rows, self.layers = (parameters[name] for name in ("columns", "rows", "layers"))
+        self.thickness = ice.thickness(self.diameter, self.layers)
+        self.width = self.diameter * (1 + ice.ROW * (self.rows - 1))  # over all spheres, as the thickness
+        self.section = self.width * self.thickness
+
+    def points(self):
+        """Centres, those of the middle layers on y = 0."""
+        points = ice.plate(self.diameter, self.columns, self.rows, self.layers)
+        return [(x, y - 0.5 * self.thickness, z) for x, y, z in points]
+
+    def write(self, path, density, margin, motion=None):
+        """LIGGGHTS data file, with a box that leaves a margin [m] on all sides; motion(centre) gives a sphere's velocity
+        [m/s] and spin [rad/s] at the start."""
+        points = self.points()
+        box = [(min(axis) - margin, max(axis) + margin) for axis in zip(*points)]
+        ice.write_data(path, points, self.diameter, density, box, types=1)
+        if motion:
+            with open(path, "a") as data:
+                data.write("\nVelocities\n\n")
+                data.writelines("%d %.17g %.17g %.17g %.17g %.17g %.17g\n" % (n, *motion(point))
+                                for n, point in enumerate(points, 1))
+
+    def write_bonds(self, breaking, lasting, lasts):
+        """Lists of the bonds for fix bond/parallel: those between two spheres for whose centres `lasts` is true, and
+        the others, which may break."""
+        points = self.points()
+        with open(breaking, "w") as weak, open(lasting, "w") as strong:
+            for n, m in ice.contacts(points, self.diameter):
+                (strong if lasts(points[n]) and lasts(points[m]) else weak).write(f"{n + 1} {m + 1}\n")
+
+
+def material(parameters, stiffness_ratio):
+    """The level's ice with one of its stiffness ratios."""
+    return lattice.Ice(parameters["sphere_diameter"], parameters["ice_density"], parameters["bond_young"],
+                       stiffness_ratio, parameters["tensile_strength"], parameters["shear_strength"])
+
+
+def time_steps(parameters):
+    """DEM step for each stiffness ratio [s]."""
+    return [parameters["step_share"] * ice.critical_step(parameters["sphere_diameter"], parameters["ice_density"],
+                                                         parameters["bond_young"], ratio)
+            for ratio in parameters["stiffness_ratios"]]
+
+
+def schedule(parameters, duration, rows):
+    """Variables of the script that differ from ratio to ratio: time step, number of steps for a duration [s], the interval
+    of a curve of so many rows, and the part of the run between two looks at what is left of the specimen."""
+    steps = time_steps(parameters)
+    count = [math.ceil(duration / step) for step in steps]
+    every = [max(1, number // rows) for number in count]
+    return {"stiffness_ratio": parameters["stiffness_ratios"], "time_step": steps, "steps": count,
+            "part": [20 * number for number in every], "curve_every": every}
+
+
+class Curve:
+    """dem/curve_<ratio>.csv: stress [Pa] over strain [-], both positive in the direction of the load."""
+
+    def __init__(self, run, ratio, sign=1):
+        rows = checks.table(run / f"dem/curve_{folder.text(ratio)}.csv")
+        self.strain = numpy.array(rows["strain"]) * sign
+        self.stress = numpy.array(rows["stress"]) * sign
+        self.broken = numpy.array(rows["broken_tension"]) + numpy.array(rows["broken_shear"])
+
+    def first_failure(self):
+        """Stress at the last row before a bond is broken; the largest of all if none is."""
+        broken = numpy.flatnonzero(self.broken)
+        return self.stress[max(broken[0] - 1, 0)] if broken.size else self.stress.max()
+
+    def strength(self):
+        """(largest stress before the load falls by a tenth for the first time, whether it does)."""
+        largest = numpy.maximum.accumulate(self.stress)
+        fallen = numpy.flatnonzero(self.stress < 0.9 * largest)
+        fallen = fallen[fallen > numpy.argmax(self.broken > 0)] if self.broken.any() else fallen[:0]
+        return (largest[fallen[0]], True) if fallen.size else (self.stress.max(), False)
+
+    def modulus(self):
+        """Slope below a strain of 0.1 % [Pa]: there the contacts take less than 2 % of a pressed specimen's load."""
+        elastic = (self.strain > 1e-4) & (self.strain < 1e-3) & (self.broken == 0)
+        return numpy.polyfit(self.strain[elastic], self.stress[elastic], 1)[0]
+
+
+def report(run, parameters, load, limits, result, sign=1):
+    """Table of all ratios, as strength.csv and on the screen, and its comparison with the endless plate's theory.
+
+    load: of lattice.py; limits: relative, for E and for the first failure; sign: of the curves' columns."""
+    columns = ("stiffness_ratio", "E", "E_theory", "first_failure", "first_failure_theory", "strength", "fails")
+    lines = [",".join(columns)]
+    print("  κ      E [GPa]  theory   first failure [MPa]  theory   strength [MPa]")
+    for ratio in parameters["stiffness_ratios"]:
+        plate = lattice.Plate(material(parameters, ratio), parameters["layers"])
+        young = plate.bending_young() if load == lattice.BENDING else plate.young()
+        theory, _ = plate.first_failure(load)
+        curve = Curve(run, ratio, sign)
+        strength, fails = curve.strength()
+        row = (ratio, curve.modulus(), young, curve.first_failure(), theory, strength, int(fails))
+        lines.append(",".join(f"{value:.6g}" for value in row))
+        print(f"  {ratio:<5g} {row[1]/1e9:8.3f} {young/1e9:8.3f} {row[3]/1e6:14.3f} {theory/1e6:14.3f} "
+              f"{'' if fails else 'over':>8} {strength/1e6:.3f}")
+        result.near(f"E for κ = {ratio:g} [GPa]", row[1] / 1e9, young / 1e9, limits[0] * young / 1e9)
+        result.near(f"stress at the first failure for κ = {ratio:g} [MPa]", row[3] / 1e6, theory / 1e6, limits[1] * theory / 1e6)
+    strength = f"{PAPER[load] / 1e6:.3g} MPa" if load in PAPER else "not given"
+    print(f"  bulk of the paper's ice: E {PAPER['E'] / 1e9:.3g} GPa, strength in {load} {strength}")
+    (run / "strength.csv").write_text("\n".join(lines) + "\n")

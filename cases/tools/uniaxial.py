@@ -1,0 +1,27 @@
+"""ice_tension and ice_compression: one script, pulled or pressed; what the stress-strain curves say of the specimen."""
+import math
+from pathlib import Path
+
+import folder
+import lattice
+from specimen import Specimen, material, schedule
+
+SCRIPT = Path(__file__).resolve().parents[1] / "ice_tension/dem/in.ice_tension"
+GRIP = 4  # columns at each end
+
+
+def prepare(run, parameters, name, strain_rate):
+    """Script and specimen in the run folder; strain_rate [1/s], negative to press."""
+    body, diameter = Specimen(parameters), parameters["sphere_diameter"]
+    half = 0.5 * body.columns * diameter
+    grip = half - (GRIP - 0.25) * diameter
+    ratios = [lattice.Plate(material(parameters, ratio), body.layers) for ratio in parameters["stiffness_ratios"]]
+    numbers = {key: parameters[key] for key in ("bond_young", "tensile_strength", "shear_strength", "bond_damping")}
+    numbers.update(schedule(parameters, parameters["largest_strain"] / abs(strain_rate), rows=400),
+                   strain_rate=strain_rate, skin=0.25 * diameter, grip=grip,
+                   mark_inner=0.5 * half - diameter, mark_outer=0.5 * half + diameter, section=body.section,
+                   poisson_ratio=[plate.poisson() for plate in ratios])
+    folder.copy_dem(SCRIPT, run, numbers, name=name)
+    body.write(run / "dem/specimen.data", parameters["ice_density"], margin=0.25 * half)
+    body.write_bonds(run / "dem/bonds.txt", run / "dem/grip_bonds.txt", lambda centre: abs(centre[0]) > grip)
+    print(f"ice: {body.columns * body.rows * body.layers} spheres, section {1e6 * body.section:.4g} mm2")
