@@ -9,7 +9,11 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+import matplotlib
+
+matplotlib.use("Agg")
 import numpy
+from matplotlib import colors, pyplot
 
 import checks
 import entry
@@ -111,38 +115,48 @@ def fit_dalembert(wave, speed):
     return best
 
 
-def draw(run, out):
-    """(a) velocity along x over place and time; (b) its profile at MOMENT with d'Alembert's; (c) stress on the top."""
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import colors, pyplot
-    parameters = json.loads((run / "params.json").read_text())
-    wave, plate = read(run, parameters), lattice_plate(parameters)
-    figure, axes = pyplot.subplots(1, 3, figsize=(13, 3.9), layout="constrained")
-    image = axes[0].pcolormesh(1e3 * wave.x, 1e6 * wave.time, wave.along, cmap="RdBu_r", shading="nearest",
-                               norm=colors.SymLogNorm(1e-4, vmin=-1, vmax=1))
-    figure.colorbar(image, label="velocity along x [m/s]")
-    for speed, style, label in ((plate.wave_speed(), "k-", "lattice"), (PAPER_SPEED, "k--", "√(E_b/ρ)")):
-        axes[0].plot(1e3 * wave.x, 1e6 * wave.x / speed, style, linewidth=0.9, label=f"{label}, {speed:.0f} m/s")
-    axes[0].set(xlabel="x [mm]", ylabel="time after contact [µs]", ylim=(0, 1e6 * wave.time[-1]))
-    axes[0].legend(loc="lower right")
+def draw_spread(axis, wave, speed):
+    """(a) Velocity along x over place and time, with the speeds of the lattice and of the study."""
+    image = axis.pcolormesh(1e3 * wave.x, 1e6 * wave.time, wave.along, cmap="RdBu_r", shading="nearest",
+                            norm=colors.SymLogNorm(1e-4, vmin=-1, vmax=1))
+    axis.figure.colorbar(image, label="velocity along x [m/s]")
+    for c, style, label in ((speed, "k-", "lattice"), (PAPER_SPEED, "k--", "√(E_b/ρ)")):
+        axis.plot(1e3 * wave.x, 1e6 * wave.x / c, style, linewidth=0.9, label=f"{label}, {c:.0f} m/s")
+    axis.set(xlabel="x [mm]", ylabel="time after contact [µs]", ylim=(0, 1e6 * wave.time[-1]))
+    axis.legend(loc="lower right")
+
+
+def draw_profile(axis, wave, speed):
+    """(b) Velocity along x at MOMENT, with d'Alembert's."""
     x, v = profile(wave)
-    axes[1].plot(1e3 * x, v, "ko", markersize=3, label="measured")
-    for speed, style in ((PAPER_SPEED, "--"), (plate.wave_speed(), "-")):
-        height, width, rest = fit_dalembert(wave, speed)
-        axes[1].plot(1e3 * x, height * dalembert(x, width, speed), style, linewidth=1,
-                     label=f"d'Alembert, c = {speed:.0f} m/s")
-    axes[1].set(xlabel="x [mm]", ylabel="velocity along x [m/s]", title=f"{1e3 * MOMENT:g} ms after contact",
-                yscale="symlog")
-    axes[1].set_yscale("symlog", linthresh=0.01)
-    axes[1].legend(frameon=False)
+    axis.plot(1e3 * x, v, "ko", markersize=3, label="measured")
+    for c, style in ((PAPER_SPEED, "--"), (speed, "-")):
+        height, width, _ = fit_dalembert(wave, c)
+        axis.plot(1e3 * x, height * dalembert(x, width, c), style, linewidth=1, label=f"d'Alembert, c = {c:.0f} m/s")
+    axis.set(xlabel="x [mm]", ylabel="velocity along x [m/s]", title=f"{1e3 * MOMENT:g} ms after contact")
+    axis.set_yscale("symlog", linthresh=0.01)
+    axis.legend(frameon=False)
+
+
+def draw_stress(axis, run, diameter):
+    """(c) Stress xx of the uppermost layer in the last dump of the plate."""
     last = max(run.glob("dem/plate.*.txt"), key=lambda path: int(path.name.split(".")[1]))
     _, rows = next(frames(last))
-    top = rows[rows[:, 2] > rows[:, 2].max() - 0.5 * parameters["sphere_diameter"]]
-    image = axes[2].scatter(1e3 * top[:, 1], 1e3 * top[:, 3], c=top[:, 8] / 1e6, s=3, cmap="RdBu_r",
-                            norm=colors.SymLogNorm(0.01, vmin=-1, vmax=1))
-    figure.colorbar(image, label="stress xx of the top layer [MPa]")
-    axes[2].set(xlabel="x [mm]", ylabel="z [mm]", aspect="equal")
+    top = rows[rows[:, 2] > rows[:, 2].max() - 0.5 * diameter]
+    image = axis.scatter(1e3 * top[:, 1], 1e3 * top[:, 3], c=top[:, 8] / 1e6, s=3, cmap="RdBu_r",
+                         norm=colors.SymLogNorm(0.01, vmin=-1, vmax=1))
+    axis.figure.colorbar(image, label="stress xx of the top layer [MPa]")
+    axis.set(xlabel="x [mm]", ylabel="z [mm]", aspect="equal")
+
+
+def draw(run, out):
+    """The figure."""
+    parameters = json.loads((run / "params.json").read_text())
+    wave, speed = read(run, parameters), lattice_plate(parameters).wave_speed()
+    figure, axes = pyplot.subplots(1, 3, figsize=(13, 3.9), layout="constrained")
+    draw_spread(axes[0], wave, speed)
+    draw_profile(axes[1], wave, speed)
+    draw_stress(axes[2], run, parameters["sphere_diameter"])
     figure.savefig(out, dpi=120)
 
 
