@@ -12,9 +12,15 @@ using namespace frazil;
 namespace
 {
 
-inline Vec3 at(const BondBlock::Row* rows, int b) { return {rows[0][b], rows[1][b], rows[2][b]}; }
+inline Vec3 at(const BondBlock::Row* rows, int b)
+{
+    return {rows[0][b], rows[1][b], rows[2][b]};
+}
 
-inline Vec3 at(double* const* columns, int b) { return {columns[0][b], columns[1][b], columns[2][b]}; }
+inline Vec3 at(double* const* columns, int b)
+{
+    return {columns[0][b], columns[1][b], columns[2][b]};
+}
 
 template <class Rows> inline void put(Rows& rows, int b, const Vec3& v)
 {
@@ -24,7 +30,8 @@ template <class Rows> inline void put(Rows& rows, int b, const Vec3& v)
 }
 
 template <bool Damped>
-inline __attribute__((always_inline)) void advanceBond(BondBlock& block, int b, const BondMaterial& material, double rate)
+inline __attribute__((always_inline)) void advanceBond(BondBlock& block, int b, const BondMaterial& material,
+                                                       double rate)
 {
     double* const* columns = block.state;
     BondState state{at(columns + BondTable::separation, b), at(columns + BondTable::shear, b),
@@ -61,14 +68,17 @@ FRAZIL_VECTOR_CLONES __attribute__((flatten)) void advanceElastic(BondBlock& blo
 {
     const int count = block.count;
 #pragma GCC ivdep
-    for (int b = 0; b < count; ++b) advanceBond<false>(block, b, material, 0);
+    for (int b = 0; b < count; ++b)
+        advanceBond<false>(block, b, material, 0);
 }
 
-FRAZIL_VECTOR_CLONES __attribute__((flatten)) void advanceDamped(BondBlock& block, const BondMaterial& material, double rate)
+FRAZIL_VECTOR_CLONES __attribute__((flatten)) void advanceDamped(BondBlock& block, const BondMaterial& material,
+                                                                 double rate)
 {
     const int count = block.count;
 #pragma GCC ivdep
-    for (int b = 0; b < count; ++b) advanceBond<true>(block, b, material, rate);
+    for (int b = 0; b < count; ++b)
+        advanceBond<true>(block, b, material, rate);
 }
 
 } // namespace
@@ -78,11 +88,14 @@ BondBlock::BondBlock(BondTable& table, std::size_t begin, int count)
       strength(&table.strength[begin]), reducedMass(&table.reducedMass[begin]),
       reducedInertia(&table.reducedInertia[begin])
 {
-    for (int c = 0; c < BondTable::stateColumns; ++c) state[c] = &table.state[c][begin];
+    for (int c = 0; c < BondTable::stateColumns; ++c)
+        state[c] = &table.state[c][begin];
 }
 
 void frazil::advanceBlock(BondBlock& block, const BondMaterial& material, double rate)
 {
-    if (material.damping.any()) advanceDamped(block, material, rate);
-    else advanceElastic(block, material);
+    if (material.damping.any())
+        advanceDamped(block, material, rate);
+    else
+        advanceElastic(block, material);
 }

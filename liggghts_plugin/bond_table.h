@@ -20,7 +20,7 @@ namespace frazil
 
 class BondTable
 {
-public:
+  public:
     /// Columns of the state (units: BondState), in the order in which they travel with the particles.
     enum StateColumn { separation = 0, shear = 3, bending = 6, torsion = 9, stateColumns = 10 };
 
@@ -29,7 +29,7 @@ public:
     std::vector<int> target1, target2; ///< local indices to add forces to; owned below the number of owned spheres
     std::array<std::vector<double>, stateColumns> state;
     std::vector<double> restLength, radius, share, strength; ///< [m], [m], [-], [-]
-    std::vector<double> reducedMass, reducedInertia; ///< [kg], [kg m2]
+    std::vector<double> reducedMass, reducedInertia;         ///< [kg], [kg m2]
 
     std::size_t size() const { return id1.size(); }
 
@@ -62,18 +62,21 @@ public:
 
     BondShape shapeOf(std::size_t k) const { return {restLength[k], radius[k], share[k], strength[k]}; }
 
-private:
+  private:
     template <class Action> void forEachColumn(Action action)
     {
-        for (auto* column : {&id1, &id2, &at1, &at2, &target1, &target2}) action(*column);
-        for (auto& column : state) action(column);
-        for (auto* column : {&restLength, &radius, &share, &strength, &reducedMass, &reducedInertia}) action(*column);
+        for (auto* column : {&id1, &id2, &at1, &at2, &target1, &target2})
+            action(*column);
+        for (auto& column : state)
+            action(column);
+        for (auto* column : {&restLength, &radius, &share, &strength, &reducedMass, &reducedInertia})
+            action(*column);
     }
 };
 
 /// One sphere's end of a bond.
 struct BondHalf {
-    int partner; ///< id of the other sphere
+    int partner;       ///< id of the other sphere
     double restLength; ///< [m]
     std::array<double, BondTable::stateColumns> state;
     static constexpr int words = 2 + BondTable::stateColumns; ///< doubles in a message or restart record
@@ -81,7 +84,7 @@ struct BondHalf {
 
 class BondStore
 {
-public:
+  public:
     struct Owner {
         int self = 0;    ///< id of the sphere when its bonds were stored
         int initial = 0; ///< bonds it was created with
@@ -103,7 +106,8 @@ public:
         for (int h = owner.first; h < owner.first + owner.count; ++h) {
             buffer[m++] = pool[h].partner;
             buffer[m++] = pool[h].restLength;
-            for (double value : pool[h].state) buffer[m++] = value;
+            for (double value : pool[h].state)
+                buffer[m++] = value;
         }
         return m;
     }
@@ -121,7 +125,8 @@ public:
             BondHalf half;
             half.partner = static_cast<int>(buffer[m++]);
             half.restLength = buffer[m++];
-            for (double& value : half.state) value = buffer[m++];
+            for (double& value : half.state)
+                value = buffer[m++];
             pool.push_back(half);
         }
         return m;
@@ -130,10 +135,12 @@ public:
     /// Takes the halves of the first `owned` spheres from the table; their ids and initial numbers stay.
     void fill(const BondTable& table, int owned)
     {
-        for (int i = 0; i < owned; ++i) owners[i].count = 0;
+        for (int i = 0; i < owned; ++i)
+            owners[i].count = 0;
         for (std::size_t k = 0; k < table.size(); ++k)
             for (int target : {table.target1[k], table.target2[k]})
-                if (target < owned) ++owners[target].count;
+                if (target < owned)
+                    ++owners[target].count;
         int next = 0;
         for (int i = 0; i < owned; ++i) {
             owners[i].first = next;
@@ -147,14 +154,16 @@ public:
         }
     }
 
-private:
+  private:
     void put(const BondTable& table, std::size_t k, int target, int partner, int owned)
     {
-        if (target >= owned) return;
+        if (target >= owned)
+            return;
         BondHalf& half = pool[owners[target].first + owners[target].count++];
         half.partner = partner;
         half.restLength = table.restLength[k];
-        for (int c = 0; c < BondTable::stateColumns; ++c) half.state[c] = table.state[c][k];
+        for (int c = 0; c < BondTable::stateColumns; ++c)
+            half.state[c] = table.state[c][k];
     }
 };
 

@@ -23,13 +23,17 @@ namespace
 
 const char* const keywords = "young, stiffness_ratio, tensile_strength, shear_strength, radius_factor, moment_factor, "
                              "friction_angle, damping, create_gap, list, weibull, events";
-inline Vec3 vec(const double* v) { return {v[0], v[1], v[2]}; }
+inline Vec3 vec(const double* v)
+{
+    return {v[0], v[1], v[2]};
+}
 
 /// Does any bond of the block exceed its strength?
 bool breaks(const BondBlock& block)
 {
     int count = 0;
-    for (int b = 0; b < block.count; ++b) count += (block.useTension[b] > 1) | (block.useShear[b] > 1);
+    for (int b = 0; b < block.count; ++b)
+        count += (block.useTension[b] > 1) | (block.useShear[b] > 1);
     return count > 0;
 }
 
@@ -39,7 +43,8 @@ int countNumbers(int first, int narg, char** arg)
     int count = 0;
     for (char* end = NULL; first + count < narg; ++count) {
         std::strtod(arg[first + count], &end);
-        if (end == arg[first + count] || *end) break;
+        if (end == arg[first + count] || *end)
+            break;
     }
     return std::max(count, 1);
 }
@@ -50,9 +55,9 @@ int countNumbers(int first, int narg, char** arg)
 
 FixBondParallel::FixBondParallel(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg), radiusFactor_(1), createGap_(0.01), weibullModulus_(0), weibullSeed_(0), tableNewer_(false),
-      owned_(0), created_(false), restarted_(false), list_(NULL), eventsOpened_(false), initialBonds_(0), lostBonds_(0), initialVolume_(0),
-      brokenTension_(0), brokenShear_(0), damped_(0), released_(0), evaluations_(0), countsAt_(-1), totalsAt_(-1), nextStress_(-1), timeBefore_(0), restartTime_(-1), frequency_(0), dashpotTime_(0),
-      stressId_(NULL)
+      owned_(0), created_(false), restarted_(false), list_(NULL), eventsOpened_(false), initialBonds_(0), lostBonds_(0),
+      initialVolume_(0), brokenTension_(0), brokenShear_(0), damped_(0), released_(0), evaluations_(0), countsAt_(-1),
+      totalsAt_(-1), nextStress_(-1), timeBefore_(0), restartTime_(-1), frequency_(0), dashpotTime_(0), stressId_(NULL)
 {
     if (!atom->sphere_flag || !atom->omega_flag || !atom->torque_flag)
         error->fix_error(FLERR, this, "bonds need spheres with spin and torque; cure: atom_style granular");
@@ -80,7 +85,8 @@ FixBondParallel::FixBondParallel(LAMMPS* lmp, int narg, char** arg)
     grow_arrays(atom->nmax);
     atom->add_callback(0);
     atom->add_callback(1);
-    for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
+    for (int i = 0; i < atom->nlocal; ++i)
+        set_arrays(i);
 }
 
 FixBondParallel::~FixBondParallel()
@@ -103,7 +109,8 @@ int FixBondParallel::setmask()
 void FixBondParallel::require(bool fine, const std::string& keyword, const std::string& value,
                               const std::string& problem, const std::string& cure)
 {
-    if (fine) return;
+    if (fine)
+        return;
     const std::string text = "keyword '" + keyword + "' has '" + value + "', which " + problem + "; cure: " + cure;
     error->fix_error(FLERR, this, text.c_str());
 }
@@ -139,18 +146,21 @@ void FixBondParallel::parse(int narg, char** arg)
         const std::string keyword = arg[iarg];
         const int values = keyword == "weibull" ? 2 : keyword == "damping" ? countNumbers(iarg + 1, narg, arg) : 1;
         if (iarg + values >= narg)
-            require(false, keyword, "nothing", "lacks its value", "see doc/fix_bond_parallel.md; keywords: " +
-                    std::string(keywords));
-        Option* option = std::find_if(std::begin(options), std::end(options),
-                                      [&](const Option& o) { return keyword == o.keyword; });
+            require(false, keyword, "nothing", "lacks its value",
+                    "see doc/fix_bond_parallel.md; keywords: " + std::string(keywords));
+        Option* option =
+            std::find_if(std::begin(options), std::end(options), [&](const Option& o) { return keyword == o.keyword; });
         if (option != std::end(options)) {
             *option->value = number(arg[iarg], arg[iarg + 1]);
             option->given = true;
             const double v = *option->value;
-            if (option->range == POSITIVE) require(v > 0, keyword, arg[iarg + 1], "is not positive", "give a value > 0");
-            if (option->range == NOT_NEGATIVE) require(v >= 0, keyword, arg[iarg + 1], "is negative", "give a value >= 0");
+            if (option->range == POSITIVE)
+                require(v > 0, keyword, arg[iarg + 1], "is not positive", "give a value > 0");
+            if (option->range == NOT_NEGATIVE)
+                require(v >= 0, keyword, arg[iarg + 1], "is negative", "give a value >= 0");
             if (option->range == ANGLE)
-                require(v >= 0 && v < 90, keyword, arg[iarg + 1], "is no friction angle", "give degrees, 0 <= angle < 90");
+                require(v >= 0 && v < 90, keyword, arg[iarg + 1], "is no friction angle",
+                        "give degrees, 0 <= angle < 90");
         } else if (keyword == "weibull") {
             parseWeibull(arg + iarg + 1);
         } else if (keyword == "damping") {
@@ -185,7 +195,8 @@ void FixBondParallel::parseWeibull(char** arg)
 void FixBondParallel::parseDamping(int count, char** arg)
 {
     std::string given = arg[0];
-    for (int n = 1; n < count; ++n) given += std::string(" ") + arg[n];
+    for (int n = 1; n < count; ++n)
+        given += std::string(" ") + arg[n];
     require(count == 1 || count == 4, "damping", given, "is neither one number nor four",
             "give one fraction for all modes, or those of normal, shear, torsion and bending");
     double fractions[4];
@@ -204,10 +215,13 @@ void FixBondParallel::init()
 {
     if (!comm->ghost_velocity)
         error->fix_error(FLERR, this, "bonds need the velocity and spin of ghosts; cure: communicate single vel yes");
-    if (domain->triclinic) error->fix_error(FLERR, this, "a triclinic box is not supported; cure: an orthogonal box");
-    if (restartTime_ >= 0) timeBefore_ = restartTime_ - (time() - timeBefore_); // only now is the time step known
+    if (domain->triclinic)
+        error->fix_error(FLERR, this, "a triclinic box is not supported; cure: an orthogonal box");
+    if (restartTime_ >= 0)
+        timeBefore_ = restartTime_ - (time() - timeBefore_); // only now is the time step known
     restartTime_ = -1;
-    if (created_) return;
+    if (created_)
+        return;
     const int request = neighbor->request(this);
     neighbor->requests[request]->pair = 0;
     neighbor->requests[request]->fix = 1;
@@ -216,7 +230,10 @@ void FixBondParallel::init()
     neighbor->requests[request]->occasional = 1;
 }
 
-void FixBondParallel::init_list(int, NeighList* list) { list_ = list; }
+void FixBondParallel::init_list(int, NeighList* list)
+{
+    list_ = list;
+}
 
 void FixBondParallel::setup_pre_exchange()
 {
@@ -224,30 +241,47 @@ void FixBondParallel::setup_pre_exchange()
     scheduleStress(update->ntimestep - 1);
 }
 
-void FixBondParallel::pre_exchange() { store(); }
+void FixBondParallel::pre_exchange()
+{
+    store();
+}
 
-void FixBondParallel::setup_pre_neighbor() { load(); }
+void FixBondParallel::setup_pre_neighbor()
+{
+    load();
+}
 
-void FixBondParallel::pre_neighbor() { load(); }
+void FixBondParallel::pre_neighbor()
+{
+    load();
+}
 
 void FixBondParallel::setup(int vflag)
 {
-    if (!created_) create();
+    if (!created_)
+        create();
     flushEvents(); // makes sure now that the file can be written
     checkTimeStep();
     evaluate(vflag);
     end_of_step();
 }
 
-void FixBondParallel::post_force(int vflag) { evaluate(vflag); }
+void FixBondParallel::post_force(int vflag)
+{
+    evaluate(vflag);
+}
 
 void FixBondParallel::end_of_step()
 {
-    if (update->vflag_atom == update->ntimestep) stressArray();
+    if (update->vflag_atom == update->ntimestep)
+        stressArray();
     scheduleStress(update->ntimestep);
 }
 
-void FixBondParallel::post_run() { flushEvents(); }
+void FixBondParallel::post_run()
+{
+    flushEvents();
+}
 
 /* ----------------------------------------------------------------------
    the step
@@ -259,15 +293,19 @@ void FixBondParallel::evaluate(int vflag)
     const double dt = update->setupflag ? 0 : update->dt;
     const int all = atom->nlocal + atom->nghost;
     turns_.resize(all);
-    for (int i = 0; i < all; ++i) turns_[i] = cayleyVector(vec(atom->omega[i]), dt);
+    for (int i = 0; i < all; ++i)
+        turns_[i] = cayleyVector(vec(atom->omega[i]), dt);
 
-    for (std::size_t begin = 0; begin < table_.size(); begin += BondBlock::capacity) evaluateBlock(begin, dt);
+    for (std::size_t begin = 0; begin < table_.size(); begin += BondBlock::capacity)
+        evaluateBlock(begin, dt);
     tableNewer_ = true; // a restart file may have been written since the last reneighbouring
 
     std::sort(broken_.begin(), broken_.end());
-    for (; !broken_.empty(); broken_.pop_back()) table_.remove(broken_.back());
+    for (; !broken_.empty(); broken_.pop_back())
+        table_.remove(broken_.back());
     ++evaluations_;
-    if (vflag) tallyVirial(vflag);
+    if (vflag)
+        tallyVirial(vflag);
 }
 
 void FixBondParallel::evaluateBlock(std::size_t begin, double dt)
@@ -275,7 +313,8 @@ void FixBondParallel::evaluateBlock(std::size_t begin, double dt)
     BondBlock block(table_, begin, static_cast<int>(std::min<std::size_t>(BondBlock::capacity, table_.size() - begin)));
     gather(block, begin);
     advanceBlock(block, material_, dt > 0 ? 1 / dt : 0);
-    if (dt == 0 && material_.damping.any()) dampAtRest(block, begin);
+    if (dt == 0 && material_.damping.any())
+        dampAtRest(block, begin);
     scatter(block, begin, dt);
 }
 
@@ -308,8 +347,9 @@ void FixBondParallel::dampAtRest(BondBlock& block, std::size_t begin)
         before.separation -= dt * (vec(atom->v[j]) - vec(atom->v[i]));
         const BondIncrement motion = advance(before, stiffness, shape.share, d, cayleyVector(vec(atom->omega[i]), dt),
                                              cayleyVector(vec(atom->omega[j]), dt));
-        const BondLoad load = viscousLoad(motion, dashpotsOf(stiffness, material_.damping, table_.reducedMass[k],
-                                                             table_.reducedInertia[k]), d / norm(d), 1 / dt);
+        const BondLoad load = viscousLoad(
+            motion, dashpotsOf(stiffness, material_.damping, table_.reducedMass[k], table_.reducedInertia[k]),
+            d / norm(d), 1 / dt);
         const Vec3 lever = cross(d, load.force);
         for (int axis = 0; axis < 3; ++axis) {
             block.force[axis][b] += load.force[axis];
@@ -321,7 +361,8 @@ void FixBondParallel::dampAtRest(BondBlock& block, std::size_t begin)
 
 void FixBondParallel::scatter(BondBlock& block, std::size_t begin, double dt)
 {
-    if (breaks(block)) breakBonds(block, begin);
+    if (breaks(block))
+        breakBonds(block, begin);
     double *f = atom->f[0], *torque = atom->torque[0];
     const int *target1 = &table_.target1[begin], *target2 = &table_.target2[begin];
     for (int b = 0; b < block.count; ++b) {
@@ -334,7 +375,8 @@ void FixBondParallel::scatter(BondBlock& block, std::size_t begin, double dt)
             torque[j + axis] += block.torque2[axis][b];
         }
     }
-    if (!material_.damping.any()) return;
+    if (!material_.damping.any())
+        return;
     for (int b = 0; b < block.count; ++b)
         damped_ += dt * block.power[b] * 0.5 * ((target1[b] < atom->nlocal) + (target2[b] < atom->nlocal));
 }
@@ -342,10 +384,13 @@ void FixBondParallel::scatter(BondBlock& block, std::size_t begin, double dt)
 /// A line on the screen and in the log.
 void FixBondParallel::say(const std::string& what) const
 {
-    if (comm->me) return;
+    if (comm->me)
+        return;
     const std::string line = "Fix bond/parallel (id " + std::string(id) + "): " + what + "\n";
-    if (screen) fputs(line.c_str(), screen);
-    if (logfile) fputs(line.c_str(), logfile);
+    if (screen)
+        fputs(line.c_str(), screen);
+    if (logfile)
+        fputs(line.c_str(), logfile);
 }
 
 /// Simulated time [s], also after a restart.
@@ -358,9 +403,11 @@ double FixBondParallel::time() const
 void FixBondParallel::breakBonds(BondBlock& block, std::size_t begin)
 {
     for (int b = 0; b < block.count; ++b) {
-        if (!(block.useTension[b] > 1 || block.useShear[b] > 1)) continue;
+        if (!(block.useTension[b] > 1 || block.useShear[b] > 1))
+            continue;
         breakBond(begin + b, {block.useTension[b], block.useShear[b]});
-        for (int axis = 0; axis < 3; ++axis) block.force[axis][b] = block.torque1[axis][b] = block.torque2[axis][b] = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            block.force[axis][b] = block.torque1[axis][b] = block.torque2[axis][b] = 0;
         block.power[b] = 0;
     }
 }
@@ -370,8 +417,10 @@ void FixBondParallel::breakBond(std::size_t k, const BondUse& use)
 {
     broken_.push_back(k);
     for (int target : {table_.target1[k], table_.target2[k]})
-        if (target < atom->nlocal) array_atom[target][0] -= 1;
-    if (table_.target1[k] >= atom->nlocal) return;
+        if (target < atom->nlocal)
+            array_atom[target][0] -= 1;
+    if (table_.target1[k] >= atom->nlocal)
+        return;
 
     const bool shear = use.shear > use.tension;
     (shear ? brokenShear_ : brokenTension_) += 1;
@@ -379,7 +428,8 @@ void FixBondParallel::breakBond(std::size_t k, const BondUse& use)
     const BondShape shape = table_.shapeOf(k);
     const BondStiffness stiffness = stiffnessOf(material_, shape.restLength, shape.radius);
     released_ += elasticEnergy(state, stiffness, shape.restLength);
-    if (eventsFile_.empty()) return;
+    if (eventsFile_.empty())
+        return;
     const BondStress stress = stressOf(state, stiffness, shape, material_.momentFactor);
     const Vec3 centre = vec(atom->x[table_.target1[k]]) + shape.share * state.separation;
     events_.push_back(

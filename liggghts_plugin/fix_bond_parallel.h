@@ -28,7 +28,7 @@ namespace LAMMPS_NS
 
 class FixBondParallel : public Fix
 {
-public:
+  public:
     FixBondParallel(class LAMMPS*, int, char**);
     ~FixBondParallel();
 
@@ -69,7 +69,7 @@ public:
     /// Of the group's spheres when the bonds were created [m3].
     double initialVolume() const { return initialVolume_; }
 
-private:
+  private:
     struct Event {
         double time; // [s]
         int id1, id2, shear;
@@ -148,22 +148,22 @@ private:
     bool created_, restarted_;
     class NeighList* list_;
 
-    std::vector<frazil::Vec3> turns_;   // Cayley vector per owned and ghost sphere
-    std::vector<std::size_t> broken_;   // rows to remove after the step
-    std::vector<Event> events_;         // not written yet
+    std::vector<frazil::Vec3> turns_; // Cayley vector per owned and ghost sphere
+    std::vector<std::size_t> broken_; // rows to remove after the step
+    std::vector<Event> events_;       // not written yet
     bool eventsOpened_;
 
-    bigint initialBonds_, lostBonds_;               // of all ranks
-    double initialVolume_;                          // [m3], of all ranks
-    double brokenTension_, brokenShear_;            // of this rank
-    double damped_, released_;                      // [J], of this rank
-    double counts_[COUNTS];          // of all ranks, at evaluation countsAt_
-    double totals_[TOTALS], use_[2]; // of all ranks, at evaluation totalsAt_
+    bigint initialBonds_, lostBonds_;    // of all ranks
+    double initialVolume_;               // [m3], of all ranks
+    double brokenTension_, brokenShear_; // of this rank
+    double damped_, released_;           // [J], of this rank
+    double counts_[COUNTS];              // of all ranks, at evaluation countsAt_
+    double totals_[TOTALS], use_[2];     // of all ranks, at evaluation totalsAt_
     bigint evaluations_, countsAt_, totalsAt_;
     bigint nextStress_; // step for which the contacts' per-atom virial is announced
 
-    double timeBefore_; // what the host's clock forgot at a restart [s]
-    double restartTime_; // of the restart file, until the first run knows the time step; otherwise -1 [s]
+    double timeBefore_;             // what the host's clock forgot at a restart [s]
+    double restartTime_;            // of the restart file, until the first run knows the time step; otherwise -1 [s]
     double frequency_;              // largest of the bonds when they were created or read [rad/s]; 0: not known
     double dashpotTime_;            // largest dashpot over spring of the bonds then [s]
     std::vector<double> vibration_; // six per owned and ghost sphere, while frequency_ is sought

@@ -19,29 +19,35 @@ using namespace frazil;
 
 void FixBondParallel::create()
 {
-    if (listFile_.empty()) bondNeighbours();
-    else bondListed();
+    if (listFile_.empty())
+        bondNeighbours();
+    else
+        bondListed();
     for (std::size_t k = 0; k < table_.size(); ++k) {
         const double *x1 = atom->x[table_.at1[k]], *x2 = atom->x[table_.at2[k]];
         const Vec3 d{x2[0] - x1[0], x2[1] - x1[1], x2[2] - x1[2]};
         table_.restLength[k] = norm(d);
-        for (int axis = 0; axis < 3; ++axis) table_.state[BondTable::separation + axis][k] = d[axis];
+        for (int axis = 0; axis < 3; ++axis)
+            table_.state[BondTable::separation + axis][k] = d[axis];
         completeShape(k);
     }
     created_ = tableNewer_ = true;
     owned_ = atom->nlocal;
-    for (int i = 0; i < owned_; ++i) store_.owners[i].self = atom->tag[i];
+    for (int i = 0; i < owned_; ++i)
+        store_.owners[i].self = atom->tag[i];
     countBonds();
     double volume = 0;
     for (int i = 0; i < owned_; ++i) {
         store_.owners[i].initial = static_cast<int>(array_atom[i][0]);
         array_atom[i][1] = array_atom[i][0];
-        if (atom->mask[i] & groupbit) volume += 4. / 3 * M_PI * std::pow(atom->radius[i], 3);
+        if (atom->mask[i] & groupbit)
+            volume += 4. / 3 * M_PI * std::pow(atom->radius[i], 3);
     }
     MPI_Allreduce(&volume, &initialVolume_, 1, MPI_DOUBLE, MPI_SUM, world);
     reduceCounts();
     initialBonds_ = static_cast<bigint>(counts_[INTACT]);
-    if (listFile_.empty()) checkReach();
+    if (listFile_.empty())
+        checkReach();
     say(std::to_string(initialBonds_) + " bonds created");
 }
 
@@ -57,17 +63,20 @@ void FixBondParallel::bondNeighbours()
     largestReach_ = 0;
     for (int row = 0; row < list_->inum; ++row) {
         const int i = list_->ilist[row];
-        if (!(atom->mask[i] & groupbit)) continue;
+        if (!(atom->mask[i] & groupbit))
+            continue;
         for (int n = 0; n < list_->numneigh[i]; ++n) {
             const int j = list_->firstneigh[i][n] & NEIGHMASK;
-            if (!(atom->mask[j] & groupbit)) continue;
+            if (!(atom->mask[j] & groupbit))
+                continue;
             const double distance = std::sqrt(std::pow(x[j][0] - x[i][0], 2) + std::pow(x[j][1] - x[i][1], 2) +
                                               std::pow(x[j][2] - x[i][2], 2));
             const double gap = distance - atom->radius[i] - atom->radius[j];
             const double mean = 0.5 * (atom->radius[i] + atom->radius[j]);
             smallestGap_ = std::min(smallestGap_, gap / mean);
             largestReach_ = std::max(largestReach_, createGap_ * mean);
-            if (gap <= createGap_ * mean) bondFrom(i, j);
+            if (gap <= createGap_ * mean)
+                bondFrom(i, j);
         }
     }
 }
@@ -76,7 +85,8 @@ void FixBondParallel::bondNeighbours()
 void FixBondParallel::bondFrom(int i, int j)
 {
     const bool ordered = atom->tag[i] < atom->tag[j];
-    if (!ordered && atom->map(atom->tag[j]) < atom->nlocal) return;
+    if (!ordered && atom->map(atom->tag[j]) < atom->nlocal)
+        return;
     addBond(ordered ? i : j, ordered ? j : i, ordered ? i : j, ordered ? j : i);
 }
 
@@ -90,18 +100,23 @@ void FixBondParallel::checkReach()
     if (reach > neighbor->skin) {
         snprintf(text, sizeof text,
                  "create_gap %g reaches %g m, beyond the neighbour skin of %g m, so pairs would be missed; cure: "
-                 "'neighbor %g bin' or a smaller create_gap", createGap_, reach, neighbor->skin, 1.1 * reach);
+                 "'neighbor %g bin' or a smaller create_gap",
+                 createGap_, reach, neighbor->skin, 1.1 * reach);
         error->fix_error(FLERR, this, text);
     }
-    if (initialBonds_ > 0) return;
+    if (initialBonds_ > 0)
+        return;
     if (nearest < std::numeric_limits<double>::max())
-        snprintf(text, sizeof text, "no pair of the group is in reach: the smallest surface gap is %g of the mean "
+        snprintf(text, sizeof text,
+                 "no pair of the group is in reach: the smallest surface gap is %g of the mean "
                  "radius, create_gap is %g; cure: create_gap above %g, or check the particles' positions and group",
                  nearest, createGap_, nearest);
     else
-        snprintf(text, sizeof text, "no pair of the group is in reach: not one within the neighbour distance of "
+        snprintf(text, sizeof text,
+                 "no pair of the group is in reach: not one within the neighbour distance of "
                  "contact plus %g m; cure: check the particles' positions, radii and group, and that they exist "
-                 "before the first run", neighbor->skin);
+                 "before the first run",
+                 neighbor->skin);
     error->fix_error(FLERR, this, text);
 }
 
@@ -113,12 +128,14 @@ void FixBondParallel::bondListed()
 {
     BondList pairs;
     std::string problem;
-    if (comm->me == 0) problem = readBondList(listFile_, pairs);
+    if (comm->me == 0)
+        problem = readBondList(listFile_, pairs);
     int numbers[2] = {static_cast<int>(problem.size()), static_cast<int>(pairs.size())};
     MPI_Bcast(numbers, 2, MPI_INT, 0, world);
     problem.resize(numbers[0]);
     MPI_Bcast(&problem[0], numbers[0], MPI_CHAR, 0, world);
-    if (!problem.empty()) error->fix_error(FLERR, this, problem.c_str());
+    if (!problem.empty())
+        error->fix_error(FLERR, this, problem.c_str());
     pairs.resize(numbers[1]);
     MPI_Bcast(pairs.data(), 3 * numbers[1], MPI_INT, 0, world);
 
@@ -126,7 +143,8 @@ void FixBondParallel::bondListed()
     for (const ListedBond& pair : pairs)
         for (const auto& ends : {std::array<int, 2>{pair.id1, pair.id2}, std::array<int, 2>{pair.id2, pair.id1}}) {
             const int i = atom->map(ends[0]), partner = atom->map(ends[1]);
-            if (i >= 0 && i < atom->nlocal) bondFrom(i, domain->closest_image(i, partner));
+            if (i >= 0 && i < atom->nlocal)
+                bondFrom(i, domain->closest_image(i, partner));
         }
 }
 
@@ -137,27 +155,34 @@ void FixBondParallel::checkListed(const BondList& pairs)
     int first[2] = {std::numeric_limits<int>::max(), NONE}; // line, worst fault there
     std::vector<int> owners(2 * pairs.size());
     const auto blame = [&](int line, Fault fault) {
-        if (line < first[0]) first[0] = line, first[1] = fault;
+        if (line < first[0])
+            first[0] = line, first[1] = fault;
     };
     for (std::size_t n = 0; n < pairs.size(); ++n)
         for (int end = 0; end < 2; ++end) {
             const int i = atom->map(end ? pairs[n].id2 : pairs[n].id1);
-            if (i < 0 || i >= atom->nlocal) continue;
+            if (i < 0 || i >= atom->nlocal)
+                continue;
             owners[2 * n + end] = 1;
-            if (!(atom->mask[i] & groupbit)) blame(pairs[n].line, OUTSIDE);
-            else if (atom->map(end ? pairs[n].id1 : pairs[n].id2) < 0) blame(pairs[n].line, FAR);
+            if (!(atom->mask[i] & groupbit))
+                blame(pairs[n].line, OUTSIDE);
+            else if (atom->map(end ? pairs[n].id1 : pairs[n].id2) < 0)
+                blame(pairs[n].line, FAR);
         }
     MPI_Allreduce(MPI_IN_PLACE, owners.data(), static_cast<int>(owners.size()), MPI_INT, MPI_SUM, world);
     for (std::size_t n = owners.size(); n-- > 0;)
-        if (!owners[n] && pairs[n / 2].line <= first[0]) first[0] = pairs[n / 2].line, first[1] = UNKNOWN;
+        if (!owners[n] && pairs[n / 2].line <= first[0])
+            first[0] = pairs[n / 2].line, first[1] = UNKNOWN;
     int worst[2]; // the first line that any rank blames, and why
     MPI_Allreduce(first, worst, 1, MPI_2INT, MPI_MINLOC, world);
-    if (worst[0] == std::numeric_limits<int>::max()) return;
+    if (worst[0] == std::numeric_limits<int>::max())
+        return;
 
     const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const ListedBond& p) { return p.line == worst[0]; });
-    const char* texts[] = {"", "lie so far apart that no rank sees both; cure: 'communicate single vel yes cutoff <m>'",
-                           "are not both in the fix's group; cure: a group that holds them, or another list",
-                           "do not both exist; cure: the ids of the data file, and spheres that exist before the first run"};
+    const char* texts[] = {
+        "", "lie so far apart that no rank sees both; cure: 'communicate single vel yes cutoff <m>'",
+        "are not both in the fix's group; cure: a group that holds them, or another list",
+        "do not both exist; cure: the ids of the data file, and spheres that exist before the first run"};
     char text[512];
     snprintf(text, sizeof text, "list %s, line %d: the spheres %d and %d %s", listFile_.c_str(), worst[0], at->id1,
              at->id2, texts[worst[1]]);

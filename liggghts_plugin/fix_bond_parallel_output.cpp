@@ -42,7 +42,8 @@ void FixBondParallel::reduceTotals()
     double here[TOTALS] = {0, damped_, released_};
     double use[2] = {0, 0};
     for (std::size_t k = 0; k < table_.size(); ++k) {
-        if (table_.target1[k] >= atom->nlocal) continue;
+        if (table_.target1[k] >= atom->nlocal)
+            continue;
         const BondState state = table_.stateOf(k);
         const BondShape shape = table_.shapeOf(k);
         const BondStiffness stiffness = stiffnessOf(material_, shape.restLength, shape.radius);
@@ -62,17 +63,27 @@ double FixBondParallel::compute_vector(int n)
         reduceCounts();
         flushEvents();
     }
-    if (n > 3 && totalsAt_ != evaluations_) reduceTotals();
+    if (n > 3 && totalsAt_ != evaluations_)
+        reduceTotals();
     switch (n) {
-    case 0: return counts_[INTACT];
-    case 1: return counts_[TENSION] + counts_[SHEAR];
-    case 2: return counts_[TENSION];
-    case 3: return counts_[SHEAR];
-    case 4: return totals_[ELASTIC];
-    case 5: return totals_[DAMPED] + totals_[RELEASED];
-    case 6: return use_[0];
-    case 7: return use_[1];
-    default: return totals_[RELEASED];
+    case 0:
+        return counts_[INTACT];
+    case 1:
+        return counts_[TENSION] + counts_[SHEAR];
+    case 2:
+        return counts_[TENSION];
+    case 3:
+        return counts_[SHEAR];
+    case 4:
+        return totals_[ELASTIC];
+    case 5:
+        return totals_[DAMPED] + totals_[RELEASED];
+    case 6:
+        return use_[0];
+    case 7:
+        return use_[1];
+    default:
+        return totals_[RELEASED];
     }
 }
 
@@ -96,11 +107,16 @@ void FixBondParallel::tallyVirial(int vflag)
         const BondStiffness stiffness = stiffnessOf(material_, table_.restLength[k], table_.radius[k]);
         const Vec3 f = elasticLoad(state, stiffness, table_.restLength[k]).force;
         const Vec3 d = -state.separation; // x1 - x2, as force f acts on 1
-        double v[6] = {d.x * f.x, d.y * f.y, d.z * f.z, 0.5 * (d.x * f.y + d.y * f.x), 0.5 * (d.x * f.z + d.z * f.x),
+        double v[6] = {d.x * f.x,
+                       d.y * f.y,
+                       d.z * f.z,
+                       0.5 * (d.x * f.y + d.y * f.x),
+                       0.5 * (d.x * f.z + d.z * f.x),
                        0.5 * (d.y * f.z + d.z * f.y)};
         int list[2], n = 0;
         for (int target : {table_.target1[k], table_.target2[k]})
-            if (target < atom->nlocal) list[n++] = target;
+            if (target < atom->nlocal)
+                list[n++] = target;
         v_tally(n, list, 2, v);
     }
 }
@@ -112,30 +128,38 @@ void FixBondParallel::stressArray()
     const int owned = atom->nlocal;
     double** contact = force->pair && force->pair->vflag_atom ? force->pair->vatom : NULL;
     for (int i = 0; i < owned; ++i)
-        for (int c = 0; c < 6; ++c) array_atom[i][2 + c] = contact ? -contact[i][c] : 0;
+        for (int c = 0; c < 6; ++c)
+            array_atom[i][2 + c] = contact ? -contact[i][c] : 0;
     for (std::size_t k = 0; k < table_.size(); ++k) {
         const BondState state = table_.stateOf(k);
         const BondShape shape = table_.shapeOf(k);
         const BondStiffness stiffness = stiffnessOf(material_, shape.restLength, shape.radius);
         const Vec3 f = elasticLoad(state, stiffness, shape.restLength).force, &d = state.separation;
-        const double v[6] = {d.x * f.x, d.y * f.y, d.z * f.z, 0.5 * (d.x * f.y + d.y * f.x),
-                             0.5 * (d.x * f.z + d.z * f.x), 0.5 * (d.y * f.z + d.z * f.y)};
+        const double v[6] = {d.x * f.x,
+                             d.y * f.y,
+                             d.z * f.z,
+                             0.5 * (d.x * f.y + d.y * f.x),
+                             0.5 * (d.x * f.z + d.z * f.x),
+                             0.5 * (d.y * f.z + d.z * f.y)};
         const int target[2] = {table_.target1[k], table_.target2[k]};
         const double share[2] = {shape.share, 1 - shape.share};
         for (int end = 0; end < 2; ++end)
             if (target[end] < owned)
-                for (int c = 0; c < 6; ++c) array_atom[target[end]][2 + c] += share[end] * v[c];
+                for (int c = 0; c < 6; ++c)
+                    array_atom[target[end]][2 + c] += share[end] * v[c];
     }
     for (int i = 0; i < owned; ++i) {
         const double perVolume = 0.75 / (M_PI * std::pow(atom->radius[i], 3));
-        for (int c = 0; c < 6; ++c) array_atom[i][2 + c] *= perVolume;
+        for (int c = 0; c < 6; ++c)
+            array_atom[i][2 + c] *= perVolume;
     }
 }
 
 /// The pair style gives its per-atom virial only on steps announced beforehand by a compute.
 void FixBondParallel::post_create()
 {
-    if (modify->find_compute((std::string(id) + "_contact_virial").c_str()) >= 0) return;
+    if (modify->find_compute((std::string(id) + "_contact_virial").c_str()) >= 0)
+        return;
     stressId_ = new char[strlen(id) + 32];
     sprintf(stressId_, "%s_contact_virial", id);
     const char* arg[] = {stressId_, group->names[igroup], "stress/atom", "pair"};
@@ -144,24 +168,29 @@ void FixBondParallel::post_create()
 
 void FixBondParallel::pre_delete(bool unfix)
 {
-    if (unfix && stressId_) modify->delete_compute(stressId_);
+    if (unfix && stressId_)
+        modify->delete_compute(stressId_);
 }
 
 /// Announces the next step after `now` on which a dump or thermo may read the stress.
 void FixBondParallel::scheduleStress(bigint now)
 {
-    if (now >= update->firststep && now < nextStress_) return;
+    if (now >= update->firststep && now < nextStress_)
+        return;
     bigint next = now < update->ntimestep ? update->ntimestep : update->laststep;
     const auto consider = [&](int every) {
-        if (every > 0) next = std::min(next, (now / every + 1) * every);
+        if (every > 0)
+            next = std::min(next, (now / every + 1) * every);
     };
     if (now == update->ntimestep) {
-        for (int n = 0; n < output->ndump; ++n) consider(output->every_dump[n]);
+        for (int n = 0; n < output->ndump; ++n)
+            consider(output->every_dump[n]);
         consider(output->thermo_every);
     }
     nextStress_ = next;
     const int compute = stressId_ ? modify->find_compute(stressId_) : -1;
-    if (compute >= 0 && next > now) modify->compute[compute]->addstep(next);
+    if (compute >= 0 && next > now)
+        modify->compute[compute]->addstep(next);
 }
 
 /* ----------------------------------------------------------------------
@@ -170,12 +199,14 @@ void FixBondParallel::scheduleStress(bigint now)
 
 void FixBondParallel::flushEvents()
 {
-    if (eventsFile_.empty()) return;
+    if (eventsFile_.empty())
+        return;
     const int words = sizeof(Event) / sizeof(char);
     int here = static_cast<int>(events_.size()) * words;
     std::vector<int> counts(comm->nprocs), starts(comm->nprocs);
     MPI_Gather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, world);
-    for (int rank = 1; rank < comm->nprocs; ++rank) starts[rank] = starts[rank - 1] + counts[rank - 1];
+    for (int rank = 1; rank < comm->nprocs; ++rank)
+        starts[rank] = starts[rank - 1] + counts[rank - 1];
     std::vector<Event> all(comm->me == 0 ? (starts.back() + counts.back()) / words : 0);
     MPI_Gatherv(events_.data(), here, MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE, 0, world);
     events_.clear();
@@ -183,26 +214,33 @@ void FixBondParallel::flushEvents()
     if (!eventsOpened_) {
         MPI_Bcast(&fine, 1, MPI_INT, 0, world);
         eventsOpened_ = true;
-        require(fine, "events", eventsFile_, "cannot be written", "name a file in a folder that exists and is writable");
+        require(fine, "events", eventsFile_, "cannot be written",
+                "name a file in a folder that exists and is writable");
     }
-    if (!fine) error->one(FLERR, ("Fix bond/parallel: the events file '" + eventsFile_ + "' cannot be written any more; "
-                                  "cure: room on the disk, and leave its folder in place").c_str());
+    if (!fine)
+        error->one(FLERR, ("Fix bond/parallel: the events file '" + eventsFile_ +
+                           "' cannot be written any more; "
+                           "cure: room on the disk, and leave its folder in place")
+                              .c_str());
 }
 
 /// Rank 0: in the order of time and ids, whichever rank saw them. A restarted run appends.
 bool FixBondParallel::writeEvents(std::vector<Event>& all)
 {
-    if (eventsOpened_ && all.empty()) return true;
+    if (eventsOpened_ && all.empty())
+        return true;
     const bool append = eventsOpened_ || restarted_;
     FILE* file = fopen(eventsFile_.c_str(), append ? "a" : "w");
-    if (!file) return false;
+    if (!file)
+        return false;
     fseek(file, 0, SEEK_END);
-    if (ftell(file) == 0) fputs("time,id1,id2,mode,x,y,z,sigma,tau\n", file);
+    if (ftell(file) == 0)
+        fputs("time,id1,id2,mode,x,y,z,sigma,tau\n", file);
     std::sort(all.begin(), all.end(), [](const Event& a, const Event& b) {
         return std::tie(a.time, a.id1, a.id2) < std::tie(b.time, b.id1, b.id2);
     });
     for (const Event& e : all)
-        fprintf(file, "%.12g,%d,%d,%s,%.9g,%.9g,%.9g,%.9g,%.9g\n", e.time, e.id1, e.id2,
-                e.shear ? "shear" : "tension", e.x, e.y, e.z, e.sigma, e.tau);
+        fprintf(file, "%.12g,%d,%d,%s,%.9g,%.9g,%.9g,%.9g,%.9g\n", e.time, e.id1, e.id2, e.shear ? "shear" : "tension",
+                e.x, e.y, e.z, e.sigma, e.tau);
     return fclose(file) == 0;
 }

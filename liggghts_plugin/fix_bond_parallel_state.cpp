@@ -24,7 +24,8 @@ using namespace frazil;
 /// Table -> particles. Called before anything that moves particles between indices or ranks.
 void FixBondParallel::store()
 {
-    if (!tableNewer_) return;
+    if (!tableNewer_)
+        return;
     store_.fill(table_, owned_);
     tableNewer_ = false;
     comm->maxexchange_fix = std::max(comm->maxexchange_fix, BondStore::words(largestCount()));
@@ -33,7 +34,8 @@ void FixBondParallel::store()
 /// Particles -> table, with fresh local indices.
 void FixBondParallel::load()
 {
-    if (!created_) return;
+    if (!created_)
+        return;
     store();
     table_.clear();
     std::vector<int> missing;
@@ -50,12 +52,14 @@ void FixBondParallel::load()
                 missing.push_back(half.partner);
                 continue;
             }
-            if (partner < atom->nlocal && !ordered) continue; // comes from the partner's half, on this rank
+            if (partner < atom->nlocal && !ordered)
+                continue; // comes from the partner's half, on this rank
             const int image = domain->closest_image(i, partner);
-            const std::size_t k = addBond(ordered ? i : image, ordered ? image : i, ordered ? i : image,
-                                          ordered ? image : i);
+            const std::size_t k =
+                addBond(ordered ? i : image, ordered ? image : i, ordered ? i : image, ordered ? image : i);
             table_.restLength[k] = half.restLength;
-            for (int c = 0; c < BondTable::stateColumns; ++c) table_.state[c][k] = half.state[c];
+            for (int c = 0; c < BondTable::stateColumns; ++c)
+                table_.state[c][k] = half.state[c];
             completeShape(k);
         }
     }
@@ -73,23 +77,27 @@ void FixBondParallel::dropMissing(const std::vector<int>& missing, bool renumber
     MPI_Allreduce(found, sums, 2, MPI_INT, MPI_SUM, world);
     const int all = sums[0];
     if (sums[1])
-        error->fix_error(FLERR, this, "particle ids changed while bonds refer to them; cure: delete_atoms ... compress no");
+        error->fix_error(FLERR, this,
+                         "particle ids changed while bonds refer to them; cure: delete_atoms ... compress no");
     if (all > 0) {
         std::vector<int> counts(comm->nprocs), starts(comm->nprocs), ids(all);
         MPI_Allgather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-        for (int rank = 1; rank < comm->nprocs; ++rank) starts[rank] = starts[rank - 1] + counts[rank - 1];
+        for (int rank = 1; rank < comm->nprocs; ++rank)
+            starts[rank] = starts[rank - 1] + counts[rank - 1];
         MPI_Allgatherv(missing.data(), here, MPI_INT, ids.data(), counts.data(), starts.data(), MPI_INT, world);
         int far = 0, farthest = 0;
         for (int partner : ids) {
             const int i = atom->map(partner);
-            if (i >= 0 && i < atom->nlocal) far = std::max(far, partner);
+            if (i >= 0 && i < atom->nlocal)
+                far = std::max(far, partner);
         }
         MPI_Allreduce(&far, &farthest, 1, MPI_INT, MPI_MAX, world);
         if (farthest > 0) {
             char text[256];
-            snprintf(text, sizeof text, "the bonded partner with id %d is farther away than the ghost distance of %g "
-                     "m; cure: 'communicate single vel yes cutoff %g'", farthest, comm->cutghost[0],
-                     2 * comm->cutghost[0]);
+            snprintf(text, sizeof text,
+                     "the bonded partner with id %d is farther away than the ghost distance of %g "
+                     "m; cure: 'communicate single vel yes cutoff %g'",
+                     farthest, comm->cutghost[0], 2 * comm->cutghost[0]);
             error->fix_error(FLERR, this, text);
         }
     }
@@ -117,14 +125,16 @@ void FixBondParallel::countBonds()
     }
     for (std::size_t k = 0; k < table_.size(); ++k)
         for (int target : {table_.target1[k], table_.target2[k]})
-            if (target < atom->nlocal) array_atom[target][0] += 1;
+            if (target < atom->nlocal)
+                array_atom[target][0] += 1;
     comm->maxexchange_fix = std::max(comm->maxexchange_fix, BondStore::words(largestCount()));
 }
 
 int FixBondParallel::largestCount() const
 {
     double largest = 0;
-    for (int i = 0; i < atom->nlocal; ++i) largest = std::max(largest, array_atom[i][0]);
+    for (int i = 0; i < atom->nlocal; ++i)
+        largest = std::max(largest, array_atom[i][0]);
     return static_cast<int>(largest);
 }
 
@@ -179,7 +189,8 @@ void FixBondParallel::unpack_restart(int i, int nth)
 {
     const double* extra = atom->extra[i];
     int m = 0;
-    for (int n = 0; n < nth; ++n) m += static_cast<int>(extra[m]);
+    for (int n = 0; n < nth; ++n)
+        m += static_cast<int>(extra[m]);
     store_.unpack(i, extra + m + 1);
 }
 
@@ -193,7 +204,8 @@ int FixBondParallel::maxsize_restart()
 {
     store();
     int here = 0, all = 0;
-    for (int i = 0; i < atom->nlocal; ++i) here = std::max(here, store_.owners[i].count);
+    for (int i = 0; i < atom->nlocal; ++i)
+        here = std::max(here, store_.owners[i].count);
     MPI_Allreduce(&here, &all, 1, MPI_INT, MPI_MAX, world);
     return 1 + BondStore::words(all);
 }
@@ -203,9 +215,17 @@ void FixBondParallel::write_restart(FILE* file)
     const double here[4] = {brokenTension_, brokenShear_, damped_, released_};
     double all[4];
     MPI_Allreduce(here, all, 4, MPI_DOUBLE, MPI_SUM, world);
-    const double record[9] = {double(created_), double(initialBonds_), double(lostBonds_), initialVolume_, time(),
-                              all[0], all[1], all[2], all[3]};
-    if (comm->me) return;
+    const double record[9] = {double(created_),
+                              double(initialBonds_),
+                              double(lostBonds_),
+                              initialVolume_,
+                              time(),
+                              all[0],
+                              all[1],
+                              all[2],
+                              all[3]};
+    if (comm->me)
+        return;
     const int size = sizeof record;
     fwrite(&size, sizeof size, 1, file);
     fwrite(record, sizeof record, 1, file);
@@ -219,7 +239,8 @@ void FixBondParallel::restart(char* buffer)
     lostBonds_ = static_cast<bigint>(record[2]);
     initialVolume_ = record[3];
     restartTime_ = record[4];
-    if (comm->me) return; // sums over ranks start from rank 0
+    if (comm->me)
+        return; // sums over ranks start from rank 0
     brokenTension_ = record[5];
     brokenShear_ = record[6];
     damped_ = record[7];

@@ -38,6 +38,24 @@ using namespace frazil;
 namespace
 {
 
+/// All times in s; contacts: square of their frequency [1/s2].
+std::string describeTimeStep(double dt, double critical, double ofBonds, double contacts, double stable)
+{
+    char text[128];
+    snprintf(text, sizeof text, "the time step of %g s is %.3g of the critical %.4g s (2/omega_max; bonds alone %.4g s",
+             dt, dt / critical, critical, ofBonds);
+    std::string result = text;
+    if (contacts > 0) {
+        snprintf(text, sizeof text, ", contacts alone %.4g s", 2 / std::sqrt(contacts));
+        result += text;
+    }
+    if (stable < critical) {
+        snprintf(text, sizeof text, "; the bonds' damping lowers the limit to %.4g s", stable);
+        result += text;
+    }
+    return result + ")";
+}
+
 /// Largest eigenvalue of the symmetric tridiagonal matrix, by bisection on the signs of its pivots.
 double largestEigenvalue(const std::vector<double>& diagonal, const std::vector<double>& beside)
 {
@@ -66,22 +84,21 @@ void FixBondParallel::checkTimeStep()
         frequency_ = largestFrequency();
         dashpotTime_ = largestDashpotTime();
     }
-    if (frequency_ == 0) return; // no bond is left
+    if (frequency_ == 0)
+        return; // no bond is left
     const double bonds = frequency_ * frequency_, contacts = contactFrequencySquared();
     const double all = bonds + contacts, drag = dashpotTime_ * bonds;
     const double critical = 2 / std::sqrt(all), stable = (std::sqrt(drag * drag + 4 * all) - drag) / all;
 
-    char text[512];
-    int length = snprintf(text, sizeof text, "the time step of %g s is %.3g of the critical %.4g s (2/omega_max; bonds alone "
-                          "%.4g s", update->dt, update->dt / critical, critical, 2 / frequency_);
-    if (contacts > 0) length += snprintf(text + length, sizeof text - length, ", contacts alone %.4g s", 2 / std::sqrt(contacts));
-    if (drag > 0) length += snprintf(text + length, sizeof text - length, "; the bonds' damping lowers the limit to %.4g s", stable);
-    const std::string numbers = std::string(text, length) + ")";
-    snprintf(text, sizeof text, "; cure: 'timestep %.3g' or less", std::min(0.2 * critical, 0.9 * stable));
-    if (update->dt > stable) error->fix_error(FLERR, this, (numbers + text).c_str());
-    if (first) say(numbers);
+    const std::string numbers = describeTimeStep(update->dt, critical, 2 / frequency_, contacts, stable);
+    char cure[64];
+    snprintf(cure, sizeof cure, "; cure: 'timestep %.3g' or less", std::min(0.2 * critical, 0.9 * stable));
+    if (update->dt > stable)
+        error->fix_error(FLERR, this, (numbers + cure).c_str());
+    if (first)
+        say(numbers);
     if (update->dt > 0.2 * critical && comm->me == 0)
-        error->warning(FLERR, ("Fix bond/parallel (id " + std::string(id) + "): " + numbers + text).c_str());
+        error->warning(FLERR, ("Fix bond/parallel (id " + std::string(id) + "): " + numbers + cure).c_str());
 }
 
 /// Largest ratio of a dashpot to its spring, eta [s].
@@ -132,7 +149,8 @@ double FixBondParallel::contactFrequencySquared()
         return fix ? static_cast<FixPropertyGlobal*>(fix)->get_values() : NULL;
     };
     const double *young = property("youngsModulus"), *poisson = property("poissonsRatio");
-    if (!young || !poisson) return 0;
+    if (!young || !poisson)
+        return 0;
     const double here[2] = {presentContacts(young, poisson), newContact(young, poisson, greatestSpeed())};
     double all[2];
     MPI_Allreduce(here, all, 2, MPI_DOUBLE, MPI_MAX, world);
@@ -143,7 +161,8 @@ double FixBondParallel::contactFrequencySquared()
 double FixBondParallel::presentContacts(const double* young, const double* poisson) const
 {
     const NeighList* list = force->pair ? force->pair->list : NULL;
-    if (!list) return 0;
+    if (!list)
+        return 0;
     std::vector<double> sums(atom->nlocal + atom->nghost, 0);
     for (int row = 0; row < list->inum; ++row) {
         const int i = list->ilist[row];
@@ -152,7 +171,8 @@ double FixBondParallel::presentContacts(const double* young, const double* poiss
             const double r1 = atom->radius[i], r2 = atom->radius[j];
             const double *x1 = atom->x[i], *x2 = atom->x[j];
             const double overlap = r1 + r2 - norm(Vec3{x2[0] - x1[0], x2[1] - x1[1], x2[2] - x1[2]});
-            if (overlap <= 0) continue;
+            if (overlap <= 0)
+                continue;
             const int a = atom->type[i] - 1, b = atom->type[j] - 1;
             const double perMass = 1 / atom->rmass[i] + 1 / atom->rmass[j]; // R^2/I = 2.5/m
             const double square = ContactModuli(young[a], poisson[a], young[b], poisson[b])
@@ -170,7 +190,8 @@ double FixBondParallel::newContact(const double* young, const double* poisson, d
     const int stiffest = static_cast<int>(std::max_element(young, young + atom->ntypes) - young);
     double largest = 0;
     for (int i = 0; i < atom->nlocal; ++i) {
-        if (!(atom->mask[i] & groupbit)) continue;
+        if (!(atom->mask[i] & groupbit))
+            continue;
         const int a = atom->type[i] - 1;
         const ContactModuli moduli(young[a], poisson[a], young[stiffest], poisson[stiffest]);
         const double r = atom->radius[i], m = atom->rmass[i];
@@ -186,12 +207,15 @@ double FixBondParallel::greatestSpeed() const
     double extremes[6] = {0, 0, 0, 0, 0, 0}; // of the velocity, and of minus the velocity
     const auto include = [&](double vx, double vy, double vz) {
         const double v[6] = {vx, vy, vz, -vx, -vy, -vz};
-        for (int c = 0; c < 6; ++c) extremes[c] = std::max(extremes[c], v[c]);
+        for (int c = 0; c < 6; ++c)
+            extremes[c] = std::max(extremes[c], v[c]);
     };
-    for (int i = 0; i < atom->nlocal; ++i) include(atom->v[i][0], atom->v[i][1], atom->v[i][2]);
+    for (int i = 0; i < atom->nlocal; ++i)
+        include(atom->v[i][0], atom->v[i][1], atom->v[i][2]);
     for (int n = 0; n < modify->nfix; ++n) {
         Fix* fix = modify->fix[n];
-        if (strcmp(fix->style, "body/rigid") == 0) include(fix->compute_vector(3), fix->compute_vector(4), fix->compute_vector(5));
+        if (strcmp(fix->style, "body/rigid") == 0)
+            include(fix->compute_vector(3), fix->compute_vector(4), fix->compute_vector(5));
     }
     double all[6];
     MPI_Allreduce(extremes, all, 6, MPI_DOUBLE, MPI_MAX, world);
@@ -212,17 +236,21 @@ double FixBondParallel::largestFrequency()
             vibration_[6 * i + c] = std::sin(12.9898 * atom->tag[i] + 78.233 * c) / (c < 3 ? 1 : atom->radius[i]);
     double length = std::sqrt(massProduct(vibration_, vibration_));
     for (int iteration = 0; iteration < 60 && length > 0; ++iteration) {
-        for (double& u : vibration_) u /= length;
+        for (double& u : vibration_)
+            u /= length;
         comm->forward_comm_fix(this);
         result.assign(6 * all, 0);
         stiffnessTimes(result);
         const double old = iteration ? length : 0;
         for (int i = 0; i < owned; ++i)
-            for (int c = 0; c < 6; ++c) result[6 * i + c] = result[6 * i + c] / inertia(i, c) - old * before[6 * i + c];
+            for (int c = 0; c < 6; ++c)
+                result[6 * i + c] = result[6 * i + c] / inertia(i, c) - old * before[6 * i + c];
         diagonal.push_back(massProduct(result, vibration_));
-        for (int n = 0; n < 6 * owned; ++n) result[n] -= diagonal.back() * vibration_[n];
+        for (int n = 0; n < 6 * owned; ++n)
+            result[n] -= diagonal.back() * vibration_[n];
         length = std::sqrt(massProduct(result, result));
-        if (length < 1e-9 * diagonal.front()) length = 0; // the start spans few modes, and they are found
+        if (length < 1e-9 * diagonal.front())
+            length = 0; // the start spans few modes, and they are found
         beside.push_back(length);
         before.swap(vibration_);
         vibration_.swap(result);
@@ -241,7 +269,8 @@ double FixBondParallel::massProduct(const std::vector<double>& a, const std::vec
 {
     double here = 0, sum;
     for (int i = 0; i < atom->nlocal; ++i)
-        for (int c = 0; c < 6; ++c) here += inertia(i, c) * a[6 * i + c] * b[6 * i + c];
+        for (int c = 0; c < 6; ++c)
+            here += inertia(i, c) * a[6 * i + c] * b[6 * i + c];
     MPI_Allreduce(&here, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
     return sum;
 }
@@ -249,9 +278,12 @@ double FixBondParallel::massProduct(const std::vector<double>& a, const std::vec
 /// result += K u for the owned spheres, u = vibration_ (three displacements [m], three rotations [rad] per sphere).
 void FixBondParallel::stiffnessTimes(std::vector<double>& result)
 {
-    const auto at = [](const std::vector<double>& v, int i, int c) { return Vec3{v[6 * i + c], v[6 * i + c + 1], v[6 * i + c + 2]}; };
+    const auto at = [](const std::vector<double>& v, int i, int c) {
+        return Vec3{v[6 * i + c], v[6 * i + c + 1], v[6 * i + c + 2]};
+    };
     const auto add = [&](int i, int c, const Vec3& v) {
-        for (int axis = 0; axis < 3; ++axis) result[6 * i + c + axis] += v[axis];
+        for (int axis = 0; axis < 3; ++axis)
+            result[6 * i + c + axis] += v[axis];
     };
     for (std::size_t k = 0; k < table_.size(); ++k) {
         const BondStiffness s = stiffnessOf(material_, table_.restLength[k], table_.radius[k]);
@@ -273,7 +305,8 @@ void FixBondParallel::stiffnessTimes(std::vector<double>& result)
 
 int FixBondParallel::pack_comm(int n, int* list, double* buffer, int, int*)
 {
-    for (int a = 0; a < n; ++a) std::copy_n(&vibration_[6 * list[a]], 6, buffer + 6 * a);
+    for (int a = 0; a < n; ++a)
+        std::copy_n(&vibration_[6 * list[a]], 6, buffer + 6 * a);
     return 6;
 }
 

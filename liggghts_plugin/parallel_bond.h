@@ -191,7 +191,8 @@ inline double viscousPower(const BondIncrement& motion, const BondDashpots& c, d
 }
 
 /// Dashpots at fractions of critical: c = 2 zeta sqrt(k m), with the pair's reduced mass [kg] and inertia [kg m2].
-inline BondDashpots dashpotsOf(const BondStiffness& k, const BondFractions& zeta, double reducedMass, double reducedInertia)
+inline BondDashpots dashpotsOf(const BondStiffness& k, const BondFractions& zeta, double reducedMass,
+                               double reducedInertia)
 {
     return {2 * zeta.normal * std::sqrt(k.normal * reducedMass), 2 * zeta.shear * std::sqrt(k.shear * reducedMass),
             2 * zeta.torsion * std::sqrt(k.torsion * reducedInertia),
