@@ -40,10 +40,13 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   Fix(lmp, narg, arg),
   historyFile_("history.csv"),
   fragmentEvery_(10),
+  ramp_(0.01),
   shielding_(NULL),
   movingGroups_(0),
   frozenGroups_(0),
   exchangeStep_(-1),
+  first_(true),
+  lastDeltaT_(0),
   dt_(0),
   restartTime_(-1),
   forceStep_(-1),
@@ -108,12 +111,14 @@ void FixCoupleFoam::readKeywords(int narg, char **arg)
     if (keyword == "shielding") shieldingId_ = arg[i + 1];
     else if (keyword == "history") historyFile_ = strcmp(arg[i + 1], "none") ? arg[i + 1] : "";
     else if (keyword == "restart") restartFile_ = arg[i + 1];
+    else if (keyword == "ramp") ramp_ = force->numeric(FLERR, arg[i + 1]);
     else if (keyword == "fragment_every") fragmentEvery_ = force->inumeric(FLERR, arg[i + 1]);
     else {
-      const std::string message = "unknown keyword " + keyword + ". Known: shielding, history, restart, fragment_every";
+      const std::string message = "unknown keyword " + keyword + ". Known: shielding, history, restart, ramp, fragment_every";
       error->fix_error(FLERR, this, message.c_str());
     }
   }
+  if (!(ramp_ >= 0) || !std::isfinite(ramp_)) error->fix_error(FLERR, this, "ramp must be a time of 0 or more (seconds)");
   if (fragmentEvery_ < 1) error->fix_error(FLERR, this, "fragment_every must be 1 or more (fluid steps)");
 }
 
@@ -244,12 +249,16 @@ void FixCoupleFoam::applyFluid(double impulseWeight)
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(mask[i] & groupbit)) continue;
     Carried &p = carried_[i];
-    const bool moves = (mask[i] & movingGroups_) && !(mask[i] & frozenGroups_);
+    const bool moves = isMoved(i);
     const Vec3 reaction = moves ? frazil::reactionOnMoving(p.fluid, vec(f[i]), vec(v[i]), rmass[i], dt)
                                 : frazil::reactionOnHeld(p.fluid, vec(v[i]));
     const double inertia = momentOfInertia * rmass[i] * radius[i] * radius[i];
     const Vec3 spin = moves ? frazil::torqueOnMoving(p.fluid, vec(torque[i]), vec(omega[i]), inertia, dt)
                             : p.fluid.spinCoefficient * (p.fluid.fluidSpin - vec(omega[i]));
+    if (impulseWeight > 0) {
+      p.others += dt * vec(f[i]);
+      p.path += dt * vec(v[i]);  // that of the half step, with which the positions have moved
+    }
     const Vec3 push = p.fluid.passiveForce + reaction;
     add(f[i], push);
     add(torque[i], spin);
@@ -263,6 +272,11 @@ void FixCoupleFoam::applyFluid(double impulseWeight)
     shown[0] = push.x, shown[1] = push.y, shown[2] = push.z;
     shown[3] = spin.x, shown[4] = spin.y, shown[5] = spin.z;
   }
+}
+
+bool FixCoupleFoam::isMoved(int i) const
+{
+  return (atom->mask[i] & movingGroups_) && !(atom->mask[i] & frozenGroups_);
 }
 
 /* ----------------------------------------------------------------------

@@ -56,6 +56,10 @@ class FixCoupleFoam : public Fix {
     frazil::Interaction fluid;
     frazil::Vec3 impulse;   // drag and added mass, received since the last exchange [N s]
     frazil::Vec3 reaction;  // drag and added-mass force of the last DEM step [N]
+    frazil::Vec3 others;    // impulse of all other forces since the last exchange [N s]
+    frazil::Vec3 path;      // way since the last exchange [m]
+    frazil::Vec3 speed[2];  // mean velocity over the last fluid step and the one before [m/s]
+    double age;             // time in the coupling [s], for the ramp of inserted particles
   };
   static const int CARRIED = sizeof(Carried) / sizeof(double);
   static const int FORCES = 6;  // columns of array_atom
@@ -74,6 +78,8 @@ class FixCoupleFoam : public Fix {
   frazil::StepReport report();
   void checkClock(const frazil::StepOrder &order);
   bool leftBox(const double *x) const;
+  bool isMoved(int i) const;
+  frazil::ParticleMotion motionOf(int i);
   void gatherRecords();
   void sendBodies();
   void takeReplies();
@@ -87,6 +93,7 @@ class FixCoupleFoam : public Fix {
 
   std::string shieldingId_, historyFile_, restartFile_;
   int fragmentEvery_;
+  double ramp_;  // time in which an inserted particle displaces its volume [s]
 
   std::unique_ptr<frazil::DemLink> link_;
   std::unique_ptr<frazil::CoarseGrid> grid_;
@@ -97,6 +104,8 @@ class FixCoupleFoam : public Fix {
 
   frazil::StepOrder order_;  // of the fluid step being taken
   bigint exchangeStep_;      // DEM step of the last exchange
+  bool first_;               // no exchange yet in this process and none before a restart
+  double lastDeltaT_;        // fluid step that ends with the exchange under way [s]
   double dt_;                // DEM time step agreed at the handshake [s]
   double restartTime_;       // fluid time of the restart file [s], negative without one
   frazil::Vec3 impulse_;     // of this rank's particles since the last exchange, lost ones included [N s]

@@ -85,6 +85,7 @@ void FixCoupleFoam::exchange()
   const double start = MPI_Wtime();
   const frazil::StepOrder order = link_->swap(report());
   checkClock(order);
+  lastDeltaT_ = first_ ? 0 : order_.deltaT;
   order_ = order;
   exchangeStep_ = update->ntimestep;
   if (order.written && !restartFile_.empty()) {
@@ -178,11 +179,38 @@ void FixCoupleFoam::gatherRecords()
       const double *bonds = shielding_->array_atom[i];  // intact, initial
       r.exposure = bonds[1] > 0 ? 1 - bonds[0] / bonds[1] : 1;
     }
+    r.motion = motionOf(i);
     records_.push_back(r);
     recordOf_.push_back(i);
-    carried_[i].impulse = Vec3();
+    carried_[i].impulse = carried_[i].others = carried_[i].path = Vec3();
   }
   impulse_ = Vec3();
+  first_ = false;
+}
+
+/* ----------------------------------------------------------------------
+   how the particle moved over the fluid step that ends, for the prediction of its answer to the pressure. The pressure
+   that acts now was made by the step that ends, from the volume that moved in the step before; so its acceleration is
+   the difference of the two mean velocities before the last
+------------------------------------------------------------------------- */
+
+frazil::ParticleMotion FixCoupleFoam::motionOf(int i)
+{
+  Carried &p = carried_[i];
+  frazil::ParticleMotion motion;
+  motion.mass = isMoved(i) ? atom->rmass[i] : 0;
+  motion.displacing = p.age < ramp_ ? p.age / ramp_ : 1;
+  if (first_ || p.age == 0) {
+    p.speed[0] = p.speed[1] = vec(atom->v[i]);
+    if (first_) motion.otherForce = vec(atom->f[i]);  // a set-up has just summed them
+  } else {
+    motion.otherForce = p.others / lastDeltaT_;
+    motion.reference = (p.speed[0] - p.speed[1]) / lastDeltaT_;
+    p.speed[1] = p.speed[0];
+    p.speed[0] = p.path / lastDeltaT_;
+  }
+  p.age += order_.deltaT;
+  return motion;
 }
 
 void FixCoupleFoam::takeReplies()

@@ -1,5 +1,6 @@
 /* fix couple/foam: what each particle carries, as it is sorted, migrates and goes through restart files. */
 
+#include <cmath>
 #include <cstring>
 
 #include "atom.h"
@@ -29,10 +30,11 @@ void FixCoupleFoam::copy_arrays(int i, int j, int)
   memcpy(array_atom[j], array_atom[i], FORCES * sizeof(double));
 }
 
-// a particle inserted during a fluid step feels the fluid from the next exchange on
+// a particle inserted during a fluid step feels the fluid from the next exchange on; those of the start are old
 void FixCoupleFoam::set_arrays(int i)
 {
   carried_[i] = Carried();
+  if (exchangeStep_ < 0) carried_[i].age = HUGE_VAL;
   memset(array_atom[i], 0, FORCES * sizeof(double));
 }
 

@@ -7,8 +7,9 @@
 ///   rotational drag    π μ D³ (½ ∇×u - ωp)
 ///   shielding          drag and added mass times the particle's exposure (share of its bonds that are broken)
 ///
-/// Where a particle sees both fluids the forces are blended, α1 f(water) + (1-α1) f(air): a mixture's ν = μ/ρ would be
-/// that of neither. Cost: a few pow per particle. The drag law is chosen once per loop (withDrag), not per particle.
+/// At a surface each fluid acts on the share w of the sphere that is in it, with its own velocity and acceleration:
+/// w f(water) + (1-w) f(air). A mixture's ν = μ/ρ would be that of neither, and the mean velocity of a wind and of the
+/// still water below would push a submerged sphere with 800 times the wind's density. Cost: a few pow per particle. The drag law is chosen once per loop (withDrag), not per particle.
 #pragma once
 
 #include <utility>
@@ -38,6 +39,9 @@ class ForceModel
     ///   rotationalDrag    off (default)
     ///   shielding         off (default: the study); on: interior spheres of an intact plate feel no drag
     explicit ForceModel(const Settings& forces);
+
+    bool pressureGradient() const { return pressureGradient_; }
+    bool viscous() const { return viscous_; }
 
     /// Calls loop(interact), where interact(flow, particle, water, air) returns the Interaction.
     template <class Loop> void withDrag(Loop&& loop) const
@@ -80,28 +84,34 @@ Interaction ForceModel::interact(const Law& law, const LocalFlow& flow, const Pa
                                  const Phase& water, const Phase& air) const
 {
     const double pi = 3.14159265358979323846;
-    const double d = 2 * particle.radius, volume = pi / 6 * d * d * d;
-    const double wet = flow.wetFraction, dry = 1 - wet;
-    const double exposure = shielding_ ? particle.exposure : 1;
-    const double speed = norm(flow.velocity - particle.velocity);
+    const double d = 2 * particle.radius, volume = particle.presence * pi / 6 * d * d * d;
+    const double exposure = particle.presence * (shielding_ ? particle.exposure : 1);
 
     Interaction result;
-    double k = 0; // a law is only asked about a fluid that is there
-    if (wet > 0)
-        k += wet * dragCoefficient(law, water, d, speed, flow.fluidFraction);
-    if (dry > 0)
-        k += dry * dragCoefficient(law, air, d, speed, flow.fluidFraction);
-    result.dragCoefficient = exposure * k;
-    result.fluidVelocity = flow.velocity;
+    auto act = [&](double share, const PhaseFlow& fluid, const Phase& phase) {
+        if (!(share > 0))
+            return; // a law is only asked about a fluid that is there
+        const double speed = norm(fluid.velocity - particle.velocity);
+        const double k = share * exposure * dragCoefficient(law, phase, d, speed, fluid.fluidFraction);
+        const double mass = share * exposure * addedMass_ * (pi / 6 * d * d * d) * phase.density;
+        result.dragCoefficient += k;
+        result.fluidVelocity += k * fluid.velocity;
+        result.addedMass += mass;
+        result.fluidAcceleration += mass * fluid.acceleration;
+        const double spin = rotationalDrag_ ? share * particle.presence * pi * d * d * d * phase.viscosity : 0;
+        result.spinCoefficient += spin;
+        result.fluidSpin += (0.5 * spin) * fluid.vorticity;
+    };
+    act(flow.wetFraction, flow.water, water);
+    act(1 - flow.wetFraction, flow.air, air);
+    auto toMean = [](Vec3& sum, double weight) { sum *= weight > 0 ? 1 / weight : 0; };
+    toMean(result.fluidVelocity, result.dragCoefficient);
+    toMean(result.fluidAcceleration, result.addedMass);
+    toMean(result.fluidSpin, result.spinCoefficient);
     if (pressureGradient_)
         result.passiveForce -= volume * flow.pressureGradient;
     if (viscous_)
         result.passiveForce += volume * flow.viscousForce;
-    result.addedMass = exposure * addedMass_ * volume * (wet * water.density + dry * air.density);
-    result.fluidAcceleration = flow.acceleration;
-    if (rotationalDrag_)
-        result.spinCoefficient = pi * d * d * d * (wet * water.viscosity + dry * air.viscosity);
-    result.fluidSpin = 0.5 * flow.vorticity;
     return result;
 }
 

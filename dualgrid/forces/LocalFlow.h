@@ -11,14 +11,19 @@ struct Phase {
     double viscosity = 0;  ///< dynamic [Pa s]
 };
 
-struct LocalFlow {
-    double fluidFraction = 1;  ///< αf [-]
-    double wetFraction = 1;    ///< α1 [-], share of water in the fluid
+/// One of the two fluids around a particle.
+struct PhaseFlow {
+    double fluidFraction = 1;  ///< αf in this fluid [-]
     Vec3 velocity;             ///< u [m/s]
-    Vec3 pressureGradient;     ///< ∇p of the TOTAL pressure, buoyancy included [Pa/m]
-    Vec3 viscousForce;         ///< ∇·τ [N/m3]
     Vec3 acceleration;         ///< Du/Dt [m/s2]
     Vec3 vorticity;            ///< ∇×u [1/s]
+};
+
+struct LocalFlow {
+    double wetFraction = 1;    ///< share of the sphere that is in the water [-]
+    PhaseFlow water, air;
+    Vec3 pressureGradient;     ///< ∇p of the TOTAL pressure, buoyancy included [Pa/m]
+    Vec3 viscousForce;         ///< ∇·τ [N/m3]
 };
 
 /// One sphere as a force law sees it.
@@ -27,6 +32,7 @@ struct ParticleState {
     Vec3 angularVelocity;  ///< [rad/s]
     double radius = 0;     ///< [m]
     double exposure = 1;   ///< [-] scales drag and added mass (shielding)
+    double presence = 1;   ///< [-] share of the sphere that feels the fluid
 };
 
 } // namespace frazil

@@ -158,19 +158,24 @@ T Prolongation<T>::slopeFactor(const Surroundings& around, const T& value, const
 template <class T>
 void Prolongation<T>::spread(const FineParts& parts, const CoarseField<T>& value, const CoarseField<double>& weight,
                              const double* density, const CoarseField<T>& moment, double lowest, double highest,
-                             T* fine) const
+                             std::vector<T>& amount) const
 {
+    amount.assign(parts.count(), T{});
     const T* raw = raw_.data();
-    for (int row = 0; row < parts.rows(); raw += parts.end(row) - parts.begin(row), ++row) {
+    T* to = amount.data();
+    for (int row = 0; row < parts.rows(); ++row) {
+        const std::size_t n = parts.end(row) - parts.begin(row);
+        raw += n, to += n;
         const int cell = parts.coarseCell(row);
         if (isZero(value[cell]))
             continue;
         const T mean = moment[cell] * (1 / weight[cell]);
         const T slope = slopeFactor(around_[row], value[cell], mean, lowest, highest);
-        const T* r = raw;
-        for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part, ++r) {
+        const T* r = raw - n;
+        T* amountOf = to - n;
+        for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part, ++r, ++amountOf) {
             const T atPart = value[cell] + product(slope, T(*r - mean));
-            fine[part->fineCell] += density[part->fineCell] * part->volume * atPart;
+            *amountOf = density[part->fineCell] * part->volume * atPart;
         }
     }
 }

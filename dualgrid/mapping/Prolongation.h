@@ -46,10 +46,12 @@ template <class T> class Prolongation
     void shape(const FineParts& parts, const LocalCells& cells, const CoarseField<T>& value,
                const CoarseField<double>& weight, const double* density, CoarseField<T>& moment);
 
-    /// Second half: adds φ_p W_p to fine[cell of the part].
+    /// Second half: φ_p W_p of each part.
     /// @param lowest, highest  physical bounds of φ; ±infinity for none
+    /// @param amount           out: one entry per part
     void spread(const FineParts& parts, const CoarseField<T>& value, const CoarseField<double>& weight,
-                const double* density, const CoarseField<T>& moment, double lowest, double highest, T* fine) const;
+                const double* density, const CoarseField<T>& moment, double lowest, double highest,
+                std::vector<T>& amount) const;
 
   private:
     /// What the cells around one coarse cell allow.
@@ -65,5 +67,15 @@ template <class T> class Prolongation
     std::vector<Surroundings> around_; ///< per row of parts
     std::vector<T> raw_;               ///< r_p per part
 };
+
+/// Adds the amounts of the parts to their fine cells.
+template <class T> void addToCells(const FineParts& parts, const std::vector<T>& amount, T* fine)
+{
+    std::size_t p = 0;
+    for (int row = 0; row < parts.rows(); ++row) {
+        for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part, ++p)
+            fine[part->fineCell] += amount[p];
+    }
+}
 
 } // namespace frazil

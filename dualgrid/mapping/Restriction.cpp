@@ -3,6 +3,48 @@
 namespace frazil
 {
 
+namespace
+{
+
+void add(CoarsePhase& sum, const FineFlow& flow, std::size_t f, double volume)
+{
+    const double accelerated = volume * flow.accelerated(f);
+    sum.volume += volume;
+    sum.velocity += volume * flow.velocity[f];
+    sum.accelerated += accelerated;
+    sum.acceleration += accelerated * flow.acceleration[f];
+    sum.vorticity += volume * flow.vorticity[f];
+}
+
+void finish(CoarsePhase& phase)
+{
+    if (!(phase.volume > 0))
+        return;
+    const double scale = 1 / phase.volume;
+    phase.velocity *= scale;
+    phase.vorticity *= scale;
+    if (phase.accelerated > 0)
+        phase.acceleration *= 1 / phase.accelerated;
+    phase.accelerated *= scale;
+}
+
+void add(CoarsePush& sum, double volume, const Vec3& pressureGradient, const Vec3& viscousForce)
+{
+    sum.volume += volume;
+    sum.pressureGradient += volume * pressureGradient;
+    sum.viscousForce += volume * viscousForce;
+}
+
+void finish(CoarsePush& push)
+{
+    if (!(push.volume > 0))
+        return;
+    push.pressureGradient *= 1 / push.volume;
+    push.viscousForce *= 1 / push.volume;
+}
+
+} // namespace
+
 void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells& cells, CoarseField<CoarseFluid>& sums)
 {
     sums.reset(cells);
@@ -11,8 +53,8 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells
         const Vec3 centre = cells.grid().centre(cells.global(parts.coarseCell(row)));
         for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part) {
             const int f = part->fineCell;
-            const double w = flow.fluidFraction[f] * part->volume;
-            const double open = flow.open(f) * part->volume, water = flow.wetFraction[f] * open;
+            const double w = flow.fluidFraction[f] * part->volume, wet = flow.wet(f);
+            const double open = flow.open(f) * part->volume, water = wet * open;
             const Vec3 place = part->centroid - centre;
             sum.openVolume += open;
             sum.openWater += water;
@@ -20,13 +62,10 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells
             sum.waterMoment += water * place;
             sum.fluidVolume += w;
             sum.fluidMass += flow.density[f] * w;
-            sum.wetFraction += flow.wetFraction[f] * w;
-            sum.velocity += w * flow.velocity[f];
-            sum.pressureGradient += w * flow.pressureGradient[f];
-            sum.viscousForce += w * flow.viscousForce[f];
-            sum.accelerated += w * flow.accelerated(f);
-            sum.acceleration += w * flow.accelerated(f) * flow.acceleration[f];
-            sum.vorticity += w * flow.vorticity[f];
+            if (wet > 0)
+                add(sum.water, flow, f, wet * w);
+            if (wet < 1)
+                add(sum.air, flow, f, (1 - wet) * w);
         }
     }
 }
@@ -38,13 +77,36 @@ void finishAverages(CoarseFluid& cell, double cellVolume)
         cell = CoarseFluid{};
         return;
     }
-    const double scale = 1 / cell.fluidVolume;
-    cell.wetFraction *= scale;
-    for (Vec3* average : {&cell.velocity, &cell.pressureGradient, &cell.viscousForce, &cell.vorticity})
-        *average *= scale;
-    if (cell.accelerated > 0)
-        cell.acceleration *= 1 / cell.accelerated;
-    cell.accelerated *= scale;
+    finish(cell.water);
+    finish(cell.air);
+}
+
+void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveForces& forces, const double* wetSolid,
+                  const double* drySolid, const LocalCells& cells, CoarseField<SolidLoad>& sums)
+{
+    sums.reset(cells);
+    std::size_t p = 0;
+    for (int row = 0; row < parts.rows(); ++row) {
+        SolidLoad& sum = sums[parts.coarseCell(row)];
+        for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part, ++p) {
+            const double wet = wetSolid[p], dry = drySolid[p];
+            if (!(wet > 0 || dry > 0))
+                continue;
+            const int f = part->fineCell;
+            const Vec3 gradient = forces.pressureGradient ? flow.pressureGradient[f] : Vec3{};
+            const Vec3 viscous = forces.viscous ? flow.viscousForce[f] : Vec3{};
+            const Vec3 weight = forces.pressureGradient ? flow.density[f] * forces.gravity : Vec3{};
+            add(sum.wet, wet, gradient - weight, viscous);
+            add(sum.dry, dry, gradient - weight, viscous);
+            sum.carried += (wet + dry) * (viscous - gradient);
+        }
+    }
+}
+
+void finishAverages(SolidLoad& cell)
+{
+    finish(cell.wet);
+    finish(cell.dry);
 }
 
 } // namespace frazil

@@ -4,10 +4,14 @@
 ///
 /// with ε = αf (1-γ), so particles and bodies carry no weight. A fluid at rest has ∇p = ρ g in every fine cell, hence
 /// exactly ρ_c g here: same weights for ρ and ∇p. Linear fields come out exact (value at the fluid's centroid).
-/// Cost: one pass over the parts, 29 additions each. Parallel: partial sums per rank, then accumulate + update of the
+/// Water and air keep means of their own (weights ε α1 and ε (1-α1)): under a wind still water is still.
+/// What the fluid's equations carry for the solid, αs (-∇p + ∇·τ), is summed with the αs of the fine cells themselves, so
+/// that the particles can be given exactly that (SolidLoad).
+/// Cost: one pass over the parts, 41 additions each. Parallel: partial sums per rank, then accumulate + update of the
 /// halo (the caller does it), finishAverages() on the owned cells in between.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "CoarseField.h"
@@ -33,8 +37,18 @@ struct FineFlow {
     /// Weight of the cell in the mean of Du/Dt [-], 0 where a body sets u; nullptr: 1 everywhere
     const double* accelerationShare = nullptr;
 
+    double wet(std::size_t cell) const { return std::clamp(wetFraction[cell], 0.0, 1.0); } ///< round-off of MULES
     double open(std::size_t cell) const { return openFraction ? openFraction[cell] : 1.0; }
     double accelerated(std::size_t cell) const { return accelerationShare ? accelerationShare[cell] : 1.0; }
+};
+
+/// Means of one of the two fluids in a coarse cell.
+struct CoarsePhase {
+    double volume = 0;      ///< Σ ε α V [m3]
+    double accelerated = 0; ///< share of it whose Du/Dt is known [-]; here and below: sums, then averages
+    Vec3 velocity;          ///< [m/s]
+    Vec3 acceleration;      ///< Du/Dt [m/s2], mean over that share
+    Vec3 vorticity;         ///< [1/s]
 };
 
 /// The fluid in one coarse cell. Doubles only: it travels through the halo as such.
@@ -45,17 +59,37 @@ struct CoarseFluid {
     Vec3 waterMoment;       ///< Σ α1 (1-γ) V x about the cell's centre [m4]
     double fluidVolume = 0; ///< Σ ε V [m3]
     double fluidMass = 0;   ///< Σ ρ ε V [kg]
-    double accelerated = 0; ///< share of the fluid whose Du/Dt is known [-]; here and below: sums, then averages
-    double wetFraction = 0; ///< α1 [-]
-    Vec3 velocity;          ///< [m/s]
-    Vec3 pressureGradient;  ///< [Pa/m]
-    Vec3 viscousForce;      ///< [N/m3]
-    Vec3 acceleration;      ///< [m/s2], mean over that share
-    Vec3 vorticity;         ///< [1/s]
+    CoarsePhase water, air;
 
     bool hasFluid() const { return fluidVolume > 0; }
+    double openAir() const { return openVolume - openWater; } ///< [m3]
+    /// α1 [-]
+    double wetFraction() const { return hasFluid() ? water.volume / fluidVolume : 0; }
+    /// Mean over both fluids [m/s]
+    Vec3 velocity() const
+    {
+        return hasFluid() ? (water.volume * water.velocity + air.volume * air.velocity) / fluidVolume : Vec3{};
+    }
     /// ρ_c [kg/m3]; 0 without fluid.
     double density() const { return hasFluid() ? fluidMass / fluidVolume : 0; }
+};
+
+/// What the fluid's equations do to the solid in one coarse cell, by the fluid that it is in. Sums, then averages.
+struct CoarsePush {
+    double volume = 0;     ///< Σ αs α V of the solid in this fluid [m3]
+    Vec3 pressureGradient; ///< ∇p - ρ g [Pa/m]
+    Vec3 viscousForce;     ///< ∇·τ [N/m3]
+};
+
+struct SolidLoad {
+    CoarsePush wet, dry;
+    Vec3 carried; ///< Σ αs (-∇p + ∇·τ) V, with the weight; a sum, always [N]
+};
+
+/// Which of the passive forces the particles feel, and gravity [m/s2]
+struct PassiveForces {
+    bool pressureGradient, viscous;
+    Vec3 gravity;
 };
 
 /// Adds this rank's parts to the sums (the field is reset first).
@@ -63,5 +97,11 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells
                   CoarseField<CoarseFluid>& sums);
 /// Turns the complete sums of one coarse cell of `cellVolume` [m3] into averages; all zero if there is no fluid in it.
 void finishAverages(CoarseFluid& cell, double cellVolume);
+
+/// The same for what the fluid carries of the solid.
+/// @param wetSolid, drySolid  volume of the solid in water and in air, per part [m3]
+void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveForces& forces, const double* wetSolid,
+                  const double* drySolid, const LocalCells& cells, CoarseField<SolidLoad>& sums);
+void finishAverages(SolidLoad& cell);
 
 } // namespace frazil

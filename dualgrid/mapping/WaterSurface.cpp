@@ -107,35 +107,45 @@ WaterSurface surfaceIn(const Box& cell, const CoarseFluid& fluid)
     if (surface.waterShare < nothing || surface.waterShare > 1 - nothing)
         return surface;
     const Vec3 offset = fluid.openMoment / fluid.openVolume - fluid.waterMoment / fluid.openWater;
-    const double length = norm(offset), h = cell.size().x;
-    if (!(length > nothing * h))
+    const double length = norm(offset);
+    if (!(length > nothing * norm(cell.size())))
         return surface;
     surface.normal = offset / length;
+    const Vec3 size = cell.size();
+    const double h = norm({surface.normal.x * size.x, surface.normal.y * size.y, surface.normal.z * size.z});
     surface.level = levelOf(cell, surface.normal, surface.waterShare);
     surface.sharpness = std::min(1.0, length / (0.9 * (1 - surface.waterShare) * h / 2));
     return surface;
 }
 
-double wetShare(const Vec3& centre, double radius, const LocalCells& cells, const CoarseField<CoarseFluid>& fluid,
-                const CoarseField<WaterSurface>& surface, double elsewhere)
+SphereShare shareOfSphere(const Vec3& centre, double radius, const LocalCells& cells,
+                          const CoarseField<Box>& filled, const CoarseField<CoarseFluid>& fluid,
+                          const CoarseField<WaterSurface>& surface)
 {
     const double half = 0.5 * std::cbrt(4.0 / 3 * 3.14159265358979323846) * radius;
     const Box cube{centre - Vec3{half, half, half}, centre + Vec3{half, half, half}};
     const CellIndex lo = cells.grid().nearest(cube.min), hi = cells.grid().nearest(cube.max);
-    double wet = 0, all = 0;
+    double inMesh = 0, fluidHere = 0, wet = 0;
     for (int n = 0; n < 8; ++n) { // at most two cells along each axis
         const CellIndex index{n & 1 ? hi[0] : lo[0], n & 2 ? hi[1] : lo[1], n & 4 ? hi[2] : lo[2]};
         if ((n & 1 && hi[0] == lo[0]) || (n & 2 && hi[1] == lo[1]) || (n & 4 && hi[2] == lo[2]))
             continue;
         const int cell = cells.local(index);
-        if (cell < 0 || !(fluid[cell].openVolume > 0))
+        if (cell < 0)
             continue;
-        const Box piece = overlap(cube, cells.grid().cellBox(index));
+        const Box piece = overlap(cube, filled[cell]);
         const double volume = volumeOf(piece);
-        all += volume;
+        inMesh += volume;
+        if (!(fluid[cell].openVolume > 0) || !(volume > 0))
+            continue;
+        fluidHere += volume;
         wet += volume * surface[cell].shareOf(piece);
     }
-    return all > 0 ? wet / all : elsewhere;
+    SphereShare share;
+    share.dry = !(fluidHere > 0);
+    share.inMesh = std::min(1.0, inMesh / volumeOf(cube));
+    share.inWater = share.dry ? 0 : wet / fluidHere;
+    return share;
 }
 
 } // namespace frazil

@@ -18,6 +18,7 @@
 
 #include "Box.h"
 #include "CoarseField.h"
+#include "FilledBox.h"
 #include "Restriction.h"
 
 namespace frazil
@@ -37,13 +38,22 @@ struct WaterSurface {
 double shareBelow(const Box& box, const Vec3& normal, double level);
 
 /// The surface in a coarse cell from its sums (Restriction.h).
+/// @param cell  the part of the cell that is in the mesh (FilledBox.h)
 WaterSurface surfaceIn(const Box& cell, const CoarseFluid& fluid);
 
-/// Share of a sphere's volume [-] that is in the water. The sphere counts as the cube of the same volume, cut along the
-/// coarse cells, so the share is continuous as the sphere moves. Cells without open volume are left out.
+/// Where a sphere is.
+struct SphereShare {
+    double inMesh = 0;  ///< of its volume [-]
+    double inWater = 0; ///< of the volume that finds fluid [-]
+    bool dry = true;    ///< there is none
+};
+
+/// The sphere counts as the cube of the same volume, cut along the coarse cells, so that the shares are continuous as it
+/// moves: through the surface, and across the edge of the mesh. Cells without fluid are left out of `inWater`.
 /// @param centre, radius  [m]; the diameter is at most the coarse cell's size
-/// @param elsewhere       the result if there are no other cells [-]
-double wetShare(const Vec3& centre, double radius, const LocalCells& cells, const CoarseField<CoarseFluid>& fluid,
-                const CoarseField<WaterSurface>& surface, double elsewhere);
+/// @param filled          part of each cell that is in the mesh
+SphereShare shareOfSphere(const Vec3& centre, double radius, const LocalCells& cells,
+                          const CoarseField<Box>& filled, const CoarseField<CoarseFluid>& fluid,
+                          const CoarseField<WaterSurface>& surface);
 
 } // namespace frazil

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "Interaction.h"
+#include "ParticleView.h"
 #include "Vec3.h"
 
 namespace frazil
@@ -18,6 +19,7 @@ struct ParticleRecord {
     Vec3 impulse;         ///< drag and added-mass impulse received since the last exchange [N s]
     double radius = 0;    ///< [m]
     double exposure = 1;  ///< [-]
+    ParticleMotion motion;
 };
 
 /// The reply for one particle, in the order of the records.

@@ -16,6 +16,7 @@ ParticleView ParticleInbox::view() const
     view.radius = radius_.data();
     view.exposure = exposure_.data();
     view.impulse = impulse_.data();
+    view.motion = motion_.data();
     return view;
 }
 
@@ -35,6 +36,7 @@ void ParticleInbox::fill(const std::vector<ParticleRecord>& records)
         impulse_[i] = record.impulse;
         radius_[i] = record.radius;
         exposure_[i] = record.exposure;
+        motion_[i] = record.motion;
     }
 }
 
@@ -56,6 +58,7 @@ void ParticleInbox::resize(std::size_t count)
     impulse_.resize(count);
     radius_.resize(count);
     exposure_.resize(count);
+    motion_.resize(count);
 }
 
 } // namespace frazil

@@ -32,6 +32,7 @@ class ParticleInbox
     std::vector<std::int64_t> id_;
     std::vector<Vec3> position_, velocity_, angularVelocity_, impulse_;
     std::vector<double> radius_, exposure_;
+    std::vector<ParticleMotion> motion_;
 };
 
 } // namespace frazil

@@ -9,6 +9,7 @@
 #include "Ledger.h"
 #include "ParticleView.h"
 #include "PhaseTimer.h"
+#include "PressureResponse.h"
 #include "Prolongation.h"
 #include "Restriction.h"
 
@@ -82,16 +83,37 @@ class CouplingScheme
     const Phase water_, air_;
 };
 
-/// State of particle i for the force laws.
-inline ParticleState stateOf(const ParticleView& particles, std::size_t i)
+inline double volumeOf(double radius)
 {
-    return {particles.velocity[i], particles.angularVelocity[i], particles.radius[i], particles.exposure[i]};
+    return 4.0 / 3 * 3.14159265358979323846 * radius * radius * radius;
 }
 
 inline double volumeOf(const ParticleView& particles, std::size_t i)
 {
-    const double sphere = 4.0 / 3 * 3.14159265358979323846, r = particles.radius[i];
-    return sphere * r * r * r;
+    return volumeOf(particles.radius[i]);
+}
+
+/// State of particle i for the force laws; presence: share of its volume that the fluid feels [-].
+inline ParticleState stateOf(const ParticleView& particles, std::size_t i, double presence)
+{
+    return {particles.velocity[i], particles.angularVelocity[i], particles.radius[i], particles.exposure[i], presence};
+}
+
+inline ParticleMotion motionOf(const ParticleView& particles, std::size_t i)
+{
+    return particles.motion ? particles.motion[i] : ParticleMotion{};
+}
+
+/// A particle's part in the sums of PressureResponse.h.
+/// @param density  of the fluid that it displaces [kg/m3]
+inline ResponseSums responseOf(const ParticleState& state, const ParticleMotion& motion, double density,
+                               const Interaction& force)
+{
+    const double volume = state.presence * volumeOf(state.radius);
+    const Vec3 drive = motion.otherForce + force.passiveForce +
+                       force.dragCoefficient * (force.fluidVelocity - state.velocity) +
+                       force.addedMass * force.fluidAcceleration;
+    return {volume,  motion.mass, force.addedMass, force.dragCoefficient, density * volume, drive, volume * motion.reference};
 }
 
 } // namespace frazil

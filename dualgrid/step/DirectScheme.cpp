@@ -69,7 +69,9 @@ Ledger DirectScheme::advance(const ParticleView& particles, const FineFlow& flow
     }
     {
         const PhaseTimer::Scope scope(timer, PhaseTimer::forces);
-        const std::vector<Interaction> given = interact(visitors, flow, source);
+        std::vector<Interaction> given = interact(visitors, flow, source, ledger);
+        giveBack(visitors, given, flow, source, ledger);
+        respond(visitors, flow, source, deltaT, given, ledger);
         react(visitors, given, source);
         answers = router_.answer(given);
     }
@@ -123,22 +125,23 @@ std::vector<DirectScheme::Visitor> DirectScheme::depart(const ParticleView& part
     std::vector<Visitor> visitors;
     for (std::size_t i = 0; i < particles.count; ++i) {
         const int home = homeOf(particles, i, cells);
-        const double volume = volumeOf(particles, i);
+        const ParticleMotion motion = motionOf(particles, i);
+        const double whole = volumeOf(particles, i), volume = places[i].rank < 0 ? 0 : motion.displacing * whole;
         const Vec3 own = settings_.momentumExchange ? particles.impulse[i] : Vec3{};
         ++ledger.particles;
-        ledger.particleVolume += volume;
+        ledger.particleVolume += whole;
+        ledger.absentVolume += whole - volume;
         ledger.received += own;
         ledger.impulseScale += norm(own);
         carried_[home] += own;
         if (places[i].rank < 0) {
             ++ledger.dryParticles;
-            ledger.coarseVolume += volume;
-            ledger.clippedVolume += volume;
             continue;
         }
         solidVolume[home] += volume;
         impulse[home] += carried_[home];
-        visitors.push_back({particles.id[i], places[i].fineCell, volume, carried_[home], stateOf(particles, i)});
+        visitors.push_back({particles.id[i], places[i].fineCell, volume, carried_[home],
+                            stateOf(particles, i, 1), motion});
         carried_[home] = Vec3{};
         to.push_back(places[i].rank);
         who.push_back(i);
@@ -194,20 +197,68 @@ void DirectScheme::fitSolid(const FineFlow& flow, FineSource& source, Ledger& le
 }
 
 std::vector<Interaction> DirectScheme::interact(const std::vector<Visitor>& visitors, const FineFlow& flow,
-                                                const FineSource& source) const
+                                                FineSource& source, Ledger& ledger) const
 {
     std::vector<Interaction> answers(visitors.size());
     forces_.withDrag([&](const auto& force) {
         for (std::size_t n = 0; n < visitors.size(); ++n) {
             const int f = visitors[n].fineCell;
-            const Vec3 acceleration = flow.accelerated(f) * flow.acceleration[f];
-            const LocalFlow local{
-                1 - source.solidFraction[f], flow.wetFraction[f], flow.velocity[f], flow.pressureGradient[f],
-                flow.viscousForce[f],        acceleration,        flow.vorticity[f]};
+            const PhaseFlow here{1 - source.solidFraction[f], flow.velocity[f],
+                                 flow.accelerated(f) * flow.acceleration[f], flow.vorticity[f]};
+            const LocalFlow local{flow.wet(f), here, here, flow.pressureGradient[f], flow.viscousForce[f]};
             answers[n] = force(local, visitors[n].state, water_, air_);
+            ledger.passiveReceived += answers[n].passiveForce;
+            ledger.passiveScale += norm(answers[n].passiveForce);
         }
     });
     return answers;
+}
+
+/// The fluid's equations carry ∇p and ∇·τ for the solid that fits into the cell; the rest is given to the fluid.
+void DirectScheme::giveBack(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers,
+                            const FineFlow& flow, FineSource& source, Ledger& ledger) const
+{
+    if (!settings_.momentumExchange)
+        return;
+    for (std::size_t f = 0; f < flow.count; ++f) {
+        const double volume = source.solidFraction[f] * flow.open(f) * flow.volume[f];
+        if (!(volume > 0))
+            continue;
+        Vec3 carried;
+        if (forces_.pressureGradient())
+            carried -= volume * flow.pressureGradient[f];
+        if (forces_.viscous())
+            carried += volume * flow.viscousForce[f];
+        source.force[f] += carried;
+        ledger.passiveCarried += carried;
+        ledger.passiveReturned -= carried;
+    }
+    for (const std::size_t n : orderById(visitors)) {
+        source.force[visitors[n].fineCell] -= answers[n].passiveForce;
+        ledger.passiveReturned += answers[n].passiveForce;
+    }
+}
+
+void DirectScheme::respond(const std::vector<Visitor>& visitors, const FineFlow& flow, const FineSource& source,
+                           double deltaT, std::vector<Interaction>& answers, Ledger& ledger)
+{
+    if (!forces_.pressureGradient())
+        return;
+    sums_.assign(flow.count, ResponseSums{});
+    for (const std::size_t n : orderById(visitors)) {
+        const Visitor& v = visitors[n];
+        if (v.motion.mass > 0)
+            sums_[v.fineCell] += responseOf(v.state, v.motion, flow.density[v.fineCell], answers[n]);
+    }
+    for (std::size_t n = 0; n < visitors.size(); ++n) {
+        const Visitor& v = visitors[n];
+        if (!(v.motion.mass > 0))
+            continue;
+        const double e = 1 - source.solidFraction[v.fineCell];
+        const Vec3 force = volumeOf(v.state.radius) * pressureResponse(sums_[v.fineCell], e, deltaT);
+        answers[n].passiveForce += force;
+        ledger.response += force;
+    }
 }
 
 } // namespace frazil

@@ -36,6 +36,7 @@ class DirectScheme : public CouplingScheme
         double volume;
         Vec3 impulse;
         ParticleState state;
+        ParticleMotion motion;
     };
     struct Place {
         int rank = -1, fineCell = -1;
@@ -48,14 +49,19 @@ class DirectScheme : public CouplingScheme
                 Ledger& ledger) const;
     void react(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers, FineSource& source) const;
     void fitSolid(const FineFlow& flow, FineSource& source, Ledger& ledger) const;
-    std::vector<Interaction> interact(const std::vector<Visitor>& visitors, const FineFlow& flow,
-                                      const FineSource& source) const;
+    std::vector<Interaction> interact(const std::vector<Visitor>& visitors, const FineFlow& flow, FineSource& source,
+                                      Ledger& ledger) const;
+    void giveBack(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers, const FineFlow& flow,
+                  FineSource& source, Ledger& ledger) const;
+    void respond(const std::vector<Visitor>& visitors, const FineFlow& flow, const FineSource& source, double deltaT,
+                 std::vector<Interaction>& answers, Ledger& ledger);
 
     MPI_Comm comm_;
     Router router_;
     std::function<int(const Vec3&)> fineCellAt_;
     std::vector<std::vector<int>> holders_; ///< per owned coarse cell: ranks with fine cells in it, ascending
     std::vector<Vec3> carried_;             ///< per owned coarse cell [N s]
+    std::vector<ResponseSums> sums_;        ///< per fine cell
 };
 
 } // namespace frazil

@@ -1,6 +1,7 @@
 #include "DualGridScheme.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "ParticleReach.h"
@@ -9,11 +10,34 @@
 namespace frazil
 {
 
+namespace
+{
+
+/// Less water (or air) than this share of a coarse cell is what diffusion leaves far from the surface: nothing is in it.
+const double nothing = 1e-9;
+
+/// Volume and centroid of the mesh in each coarse cell, this rank's share.
+CoarseField<MeshShare> sharesOf(const FineParts& parts, const LocalCells& cells)
+{
+    CoarseField<MeshShare> shares(cells);
+    for (int row = 0; row < parts.rows(); ++row) {
+        const int cell = parts.coarseCell(row);
+        const Vec3 centre = cells.grid().centre(cells.global(cell));
+        for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part) {
+            shares[cell].volume += part->volume;
+            shares[cell].moment += part->volume * (part->centroid - centre);
+        }
+    }
+    return shares;
+}
+
+} // namespace
+
 DualGridScheme::DualGridScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water,
                                const Phase& air, const Vec3& gravity, const CoarseGrid& grid, MPI_Comm comm)
     : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), gravity_(gravity),
       comm_(comm), plan_(cells, comm), solidProlongation_(settings.prolongation),
-      forceProlongation_(settings.prolongation), carried_(cells.ownedCount())
+      forceProlongation_(settings.prolongation), filled_(cells), carried_(cells.ownedCount())
 {
 }
 
@@ -22,18 +46,28 @@ void DualGridScheme::setParts(const std::vector<FinePiece>& pieces)
     cells = LocalCells(cells.grid(), rankIn(comm_), touchedCells(pieces));
     plan_ = ExchangePlan(cells, comm_);
     parts_ = FineParts(pieces, cells);
+    CoarseField<MeshShare> shares = sharesOf(parts_, cells);
+    complete(shares);
+    filled_.reset(cells);
+    for (int c = 0; c < cells.count(); ++c)
+        filled_[c] = filledBox(cells.grid().cellBox(cells.grid().index(cells.global(c))), shares[c]);
 }
 
 Ledger DualGridScheme::advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
                                std::vector<Interaction>& replies, FineSource& source)
 {
     Ledger ledger;
-    restrictFluid(flow);                // fine -> coarse: averages of the fluid
-    project(particles, ledger);         // particles -> coarse: solid volume, impulse
-    findSurfaces();                     // the water's surface where there are particles
-    interact(particles, replies);       // coarse -> particles: local flow, force laws
-    spreadReaction(particles, replies); // particles -> coarse: drag and added mass
-    prolong(flow, deltaT, source);      // coarse -> fine: αs, force on the fluid, drag and added mass
+    source.reset(flow.count);
+    restrictFluid(flow);                          // fine -> coarse: averages of water and air
+    place(particles, ledger);                     // particles: their shares in water, in air, in the mesh; their windows
+    project(particles, ledger);                   // particles -> coarse: solid volume, impulse
+    prolongSolid(flow, source);                   // coarse -> fine: αs
+    restrictLoads(flow, ledger);                  // fine -> coarse: what the fluid carries for the solid
+    interact(particles, replies, ledger);         // coarse -> particles: local flow, force laws
+    respond(particles, deltaT, replies, ledger);  // how the pressure will answer to their motion
+    spreadReaction(particles, replies);           // particles -> coarse: drag and added mass
+    prolongForce(flow, deltaT, source, ledger);   // coarse -> fine: force on the fluid
+    prolongReaction(flow, source);                // coarse -> fine: drag and added mass
     ledger.addFine(flow, source.solidFraction, source.force, deltaT);
     ledger.sumOver(comm_);
     return ledger;
@@ -47,81 +81,145 @@ void DualGridScheme::restrictFluid(const FineFlow& flow)
     for (int c = 0; c < cells.ownedCount(); ++c)
         finishAverages(fluid[c], cells.grid().cellVolume());
     plan_.update(fluid.data());
-    openVolume_.reset(cells);
-    flowVolume_.reset(cells);
+    for (Solid* solid : {&wet_, &dry_})
+        solid->room.reset(cells);
     fluidMass_.reset(cells);
+    const double least = nothing * cells.grid().cellVolume();
     for (int c = 0; c < cells.count(); ++c) {
-        openVolume_[c] = fluid[c].openVolume;
-        // not the fluid's volume: spheres displace the water around them, so the free air above would weigh more than
-        // its share, and floating_plate floats 1.6 mm too deep
-        flowVolume_[c] = fluid[c].hasFluid() ? fluid[c].openVolume : 0;
         fluidMass_[c] = fluid[c].fluidMass;
+        if (!fluid[c].hasFluid())
+            continue;
+        // The open volume, not the fluid's: spheres displace the fluid around them, and what is free of them elsewhere
+        // would draw more than its share
+        wet_.room[c] = fluid[c].openWater > least ? fluid[c].openWater : 0;
+        dry_.room[c] = fluid[c].openAir() > least ? fluid[c].openAir() : 0;
     }
 }
 
-/// A sphere that reaches into a coarse cell has volume in it: its window is wider than itself.
-void DualGridScheme::findSurfaces()
+/// In the cells around the particles only.
+void DualGridScheme::findSurfaces(const ParticleView& particles)
 {
-    const PhaseTimer::Scope scope(timer, PhaseTimer::restriction);
+    needed_.reset(cells, 0);
+    for (std::size_t i = 0; i < particles.count; ++i) {
+        for (const int cell : stencilOf(cells, particles.position[i]).cell)
+            needed_[cell] = 1;
+    }
     surface_.reset(cells);
     for (int c = 0; c < cells.count(); ++c) {
-        if (solidVolume[c] > 0)
-            surface_[c] = surfaceIn(cells.grid().cellBox(cells.grid().index(cells.global(c))), fluid[c]);
+        if (needed_[c])
+            surface_[c] = surfaceIn(filled_[c], fluid[c]);
     }
+}
+
+void DualGridScheme::place(const ParticleView& particles, Ledger& ledger)
+{
+    const PhaseTimer::Scope scope(timer, PhaseTimer::projection);
+    findSurfaces(particles);
+    places_.resize(particles.count);
+    ledger.particles = std::int64_t(particles.count);
+    for (std::size_t i = 0; i < particles.count; ++i) {
+        homeOf(particles, i, cells); // refuses a particle that is not ours
+        places_[i] = placeOf(particles, i);
+        ledger.particleVolume += volumeOf(particles, i);
+        ledger.dryParticles += !(places_[i].presence > 0);
+    }
+}
+
+DualGridScheme::Place DualGridScheme::placeOf(const ParticleView& particles, std::size_t particle) const
+{
+    Place place;
+    place.wet = place.dry = place.mass = stencilOf(cells, particles.position[particle]);
+    const double water = gather(place.wet, wet_.room), air = gather(place.dry, dry_.room);
+    const bool inWater = reweigh(place.wet, wet_.room), inAir = reweigh(place.dry, dry_.room);
+    reweigh(place.mass, fluidMass_);
+    const SphereShare share = shareOfSphere(particles.position[particle], particles.radius[particle], cells, filled_,
+                                            fluid, surface_);
+    place.presence = inWater || inAir ? share.inMesh : 0;
+    place.wetShare = !inAir ? 1 : !inWater ? 0 : share.dry ? water / (water + air) : share.inWater;
+    if (place.wetShare < nothing || place.wetShare > 1 - nothing)
+        place.wetShare = std::round(place.wetShare);
+    return place;
+}
+
+/// Adds an amount where the sphere's volume is: in the water around it and in the air.
+template <class T> void DualGridScheme::spreadSolid(const Place& place, const T& amount, CoarseField<T>& field) const
+{
+    if (place.wetShare > 0)
+        spread(place.wet, place.wetShare * amount, field);
+    if (place.wetShare < 1)
+        spread(place.dry, (1 - place.wetShare) * amount, field);
+}
+
+/// Its adjoint.
+template <class T> T DualGridScheme::gatherSolid(const Place& place, const CoarseField<T>& field) const
+{
+    T sum{};
+    if (place.wetShare > 0)
+        sum += place.wetShare * gather(place.wet, field);
+    if (place.wetShare < 1)
+        sum += (1 - place.wetShare) * gather(place.dry, field);
+    return sum;
 }
 
 void DualGridScheme::project(const ParticleView& particles, Ledger& ledger)
 {
     const PhaseTimer::Scope scope(timer, PhaseTimer::projection);
-    spreadParticles(particles, ledger);
-    plan_.accumulate(solidVolume.data());
+    spreadSpheres(particles, ledger);
+    complete(spheres_);
     fitSolid(ledger);
-    plan_.update(solidFraction_.data());
-    plan_.update(solidVolume.data());
     plan_.accumulate(impulse.data());
     placeImpulse(ledger);
     plan_.update(impulse.data());
 }
 
-void DualGridScheme::spreadParticles(const ParticleView& particles, Ledger& ledger)
+void DualGridScheme::spreadSpheres(const ParticleView& particles, Ledger& ledger)
 {
-    solidVolume.reset(cells);
+    spheres_.reset(cells);
     impulse.reset(cells);
-    windows_.resize(particles.count);
-    ledger.particles = std::int64_t(particles.count);
     for (std::size_t i = 0; i < particles.count; ++i) {
-        homeOf(particles, i, cells); // refuses a particle that is not ours
-        Windows& window = windows_[i];
-        window.solid = window.flow = window.mass = stencilOf(cells, particles.position[i]);
-        reweigh(window.solid, openVolume_);
-        window.dry = !reweigh(window.flow, flowVolume_);
-        const double volume = volumeOf(particles, i);
-        spread(window.solid, volume, solidVolume);
-        ledger.particleVolume += volume;
-        ledger.dryParticles += window.dry;
+        const Place& place = places_[i];
+        const double volume = place.presence * volumeOf(particles, i);
+        const double displaced = motionOf(particles, i).displacing * volume;
+        ledger.absentVolume += volumeOf(particles, i) - displaced;
+        for (int n = 0; n < 8; ++n) {
+            Spheres &wet = spheres_[place.wet.cell[n]], &dry = spheres_[place.dry.cell[n]];
+            const double w = place.wetShare * place.wet.weight[n], d = (1 - place.wetShare) * place.dry.weight[n];
+            wet.wet += w * volume, wet.wetDisplaced += w * displaced;
+            dry.dry += d * volume, dry.dryDisplaced += d * displaced;
+        }
         if (!settings_.momentumExchange)
             continue;
-        reweigh(window.mass, fluidMass_);
-        spread(window.mass, particles.impulse[i], impulse);
+        spread(place.mass, particles.impulse[i], impulse);
         ledger.received += particles.impulse[i];
         ledger.impulseScale += norm(particles.impulse[i]);
     }
 }
 
-/// The solid that fits below the smallest fluid fraction; the rest is clipped and listed.
+/// The solid that fits below the smallest fluid fraction: what one fluid has no room for goes into the other, what none
+/// has is clipped and listed. On every copy of a cell alike.
 void DualGridScheme::fitSolid(Ledger& ledger)
 {
-    solidFraction_.reset(cells);
-    for (int c = 0; c < cells.ownedCount(); ++c) {
-        ledger.coarseVolume += solidVolume[c];
-        const double room = (1 - settings_.smallestFluidFraction) * openVolume_[c];
-        if (solidVolume[c] > room) {
-            ledger.clippedVolume += solidVolume[c] - room;
+    solidVolume.reset(cells);
+    for (Solid* solid : {&wet_, &dry_})
+        solid->fraction.reset(cells);
+    const double densest = 1 - settings_.smallestFluidFraction;
+    for (int c = 0; c < cells.count(); ++c) {
+        const double wet = spheres_[c].wetDisplaced, dry = spheres_[c].dryDisplaced;
+        const double wetRoom = densest * wet_.room[c], dryRoom = densest * dry_.room[c];
+        const double wetFits = std::min(wetRoom, wet + std::max(0.0, dry - dryRoom));
+        const double dryFits = std::min(dryRoom, dry + std::max(0.0, wet - wetRoom));
+        solidVolume[c] = wetFits + dryFits;
+        if (wetFits > 0)
+            wet_.fraction[c] = wetFits / wet_.room[c];
+        if (dryFits > 0)
+            dry_.fraction[c] = dryFits / dry_.room[c];
+        if (c >= cells.ownedCount())
+            continue;
+        ledger.coarseVolume += wet + dry;
+        if (wet + dry > wetRoom + dryRoom) {
+            ledger.clippedVolume += wet + dry - solidVolume[c];
             ++ledger.clippedCells;
-            solidVolume[c] = room;
         }
-        if (openVolume_[c] > 0)
-            solidFraction_[c] = solidVolume[c] / openVolume_[c];
     }
 }
 
@@ -141,50 +239,144 @@ void DualGridScheme::placeImpulse(Ledger& ledger)
     }
 }
 
-void DualGridScheme::interact(const ParticleView& particles, std::vector<Interaction>& replies)
+void DualGridScheme::prolongSolid(const FineFlow& flow, FineSource& source)
+{
+    const PhaseTimer::Scope scope(timer, PhaseTimer::prolongation);
+    density_.resize(flow.count);
+    for (std::size_t f = 0; f < flow.count; ++f)
+        density_[f] = flow.open(f) * flow.wet(f);
+    prolongKind(wet_);
+    for (std::size_t f = 0; f < flow.count; ++f)
+        density_[f] = flow.open(f) * (1 - flow.wet(f));
+    prolongKind(dry_);
+    addToCells(parts_, wet_.amount, source.solidFraction.data());
+    addToCells(parts_, dry_.amount, source.solidFraction.data());
+    for (std::size_t f = 0; f < flow.count; ++f) {
+        if (source.solidFraction[f] > 0)
+            source.solidFraction[f] /= flow.open(f) * flow.volume[f];
+    }
+}
+
+void DualGridScheme::prolongKind(Solid& solid)
+{
+    solidProlongation_.shape(parts_, cells, solid.fraction, solid.room, density_.data(), scalarMoment_);
+    complete(scalarMoment_);
+    solidProlongation_.spread(parts_, solid.fraction, solid.room, density_.data(), scalarMoment_, 0,
+                              1 - settings_.smallestFluidFraction, solid.amount);
+}
+
+void DualGridScheme::restrictLoads(const FineFlow& flow, Ledger& ledger)
+{
+    const PhaseTimer::Scope scope(timer, PhaseTimer::restriction);
+    const PassiveForces passive{forces_.pressureGradient(), forces_.viscous(), gravity_};
+    restrictLoad(parts_, flow, passive, wet_.amount.data(), dry_.amount.data(), cells, load_);
+    plan_.accumulate(load_.data());
+    for (int c = 0; c < cells.ownedCount(); ++c) {
+        finishAverages(load_[c]);
+        ledger.passiveCarried += load_[c].carried;
+    }
+    plan_.update(load_.data());
+}
+
+void DualGridScheme::interact(const ParticleView& particles, std::vector<Interaction>& replies, Ledger& ledger)
 {
     const PhaseTimer::Scope scope(timer, PhaseTimer::forces);
     replies.assign(particles.count, Interaction{});
     forces_.withDrag([&](const auto& force) {
         for (std::size_t i = 0; i < particles.count; ++i) {
-            if (!windows_[i].dry)
-                replies[i] = force(flowAt(particles, i), stateOf(particles, i), water_, air_);
+            if (!(places_[i].presence > 0))
+                continue;
+            replies[i] = force(flowAt(places_[i]), stateOf(particles, i, places_[i].presence), water_, air_);
+            ledger.passiveReceived += replies[i].passiveForce;
+            ledger.passiveScale += norm(replies[i].passiveForce);
         }
     });
 }
 
-/// ∇p in two parts: what moves the fluid, ∇p - ρ g, as wide as the kernel; the fluid's weight, ρ g, that of the water
+/// ∇p in two parts: what moves the fluid, ∇p - ρ g, as wide as the kernel; the fluid's weight, ρ g, that of the fluid
 /// which the sphere itself is in. As wide as the kernel, too, it would let the water hold up what is above it.
-LocalFlow DualGridScheme::flowAt(const ParticleView& particles, std::size_t particle) const
+LocalFlow DualGridScheme::flowAt(const Place& place) const
 {
-    const Windows& window = windows_[particle];
     LocalFlow flow;
-    flow.fluidFraction = 1 - gather(window.solid, solidFraction_);
-    flow.wetFraction = 0;
+    flow.wetFraction = place.wetShare;
+    if (place.wetShare > 0) {
+        flow.water = phaseAt(place.wet, wet_, &CoarseFluid::water);
+        push(place.wet, place.wetShare, &SolidLoad::wet, flow);
+    }
+    if (place.wetShare < 1) {
+        flow.air = phaseAt(place.dry, dry_, &CoarseFluid::air);
+        push(place.dry, 1 - place.wetShare, &SolidLoad::dry, flow);
+    }
+    flow.pressureGradient += densityAt(place) * gravity_;
+    return flow;
+}
+
+PhaseFlow DualGridScheme::phaseAt(const Stencil& window, const Solid& solid, CoarsePhase CoarseFluid::*phase) const
+{
+    PhaseFlow flow;
+    flow.fluidFraction = 1 - gather(window, solid.fraction);
     double accelerated = 0;
     for (int n = 0; n < 8; ++n) {
-        const CoarseFluid& cell = fluid[window.flow.cell[n]];
-        const double w = window.flow.weight[n];
-        flow.wetFraction += w * cell.wetFraction;
+        const CoarsePhase& cell = fluid[window.cell[n]].*phase;
+        const double w = window.weight[n];
         flow.velocity += w * cell.velocity;
-        flow.pressureGradient += w * (cell.pressureGradient - cell.density() * gravity_);
-        flow.viscousForce += w * cell.viscousForce;
         flow.acceleration += w * cell.accelerated * cell.acceleration;
         accelerated += w * cell.accelerated;
         flow.vorticity += w * cell.vorticity;
     }
     if (accelerated > 0)
         flow.acceleration *= 1 / accelerated;
-    flow.pressureGradient += densityAt(particles, particle, flow.wetFraction) * gravity_;
     return flow;
 }
 
-/// Of the fluid in the sphere's place [kg/m3]; that of the coarse grid, `wetFraction`, if its place has none.
-double DualGridScheme::densityAt(const ParticleView& particles, std::size_t particle, double wetFraction) const
+void DualGridScheme::push(const Stencil& window, double share, CoarsePush SolidLoad::*push, LocalFlow& flow) const
 {
-    const double wet =
-        wetShare(particles.position[particle], particles.radius[particle], cells, fluid, surface_, wetFraction);
-    return wet * water_.density + (1 - wet) * air_.density;
+    for (int n = 0; n < 8; ++n) {
+        const CoarsePush& cell = load_[window.cell[n]].*push;
+        const double w = share * window.weight[n];
+        flow.pressureGradient += w * cell.pressureGradient;
+        flow.viscousForce += w * cell.viscousForce;
+    }
+}
+
+/// Of the fluid in the sphere's place [kg/m3].
+double DualGridScheme::densityAt(const Place& place) const
+{
+    return place.wetShare * water_.density + (1 - place.wetShare) * air_.density;
+}
+
+/// Is it free to follow the pressure?
+bool DualGridScheme::answers(const ParticleView& particles, std::size_t particle) const
+{
+    return places_[particle].presence > 0 && motionOf(particles, particle).mass > 0;
+}
+
+void DualGridScheme::respond(const ParticleView& particles, double deltaT, std::vector<Interaction>& replies,
+                             Ledger& ledger)
+{
+    if (!forces_.pressureGradient())
+        return;
+    const PhaseTimer::Scope scope(timer, PhaseTimer::forces);
+    sums_.reset(cells);
+    for (std::size_t i = 0; i < particles.count; ++i) {
+        if (answers(particles, i))
+            spreadSolid(places_[i], responseOf(stateOf(particles, i, places_[i].presence), particles.motion[i],
+                                               densityAt(places_[i]), replies[i]), sums_);
+    }
+    plan_.accumulate(sums_.data());
+    response_.reset(cells);
+    for (int c = 0; c < cells.ownedCount(); ++c) {
+        if (sums_[c].volume > 0)
+            response_[c] = pressureResponse(sums_[c], 1 - solidVolume[c] / fluid[c].openVolume, deltaT);
+    }
+    plan_.update(response_.data());
+    for (std::size_t i = 0; i < particles.count; ++i) {
+        if (!answers(particles, i))
+            continue;
+        const Vec3 force = places_[i].presence * volumeOf(particles, i) * gatherSolid(places_[i], response_);
+        replies[i].passiveForce += force;
+        ledger.response += force;
+    }
 }
 
 void DualGridScheme::spreadReaction(const ParticleView& particles, const std::vector<Interaction>& replies)
@@ -196,7 +388,7 @@ void DualGridScheme::spreadReaction(const ParticleView& particles, const std::ve
     for (std::size_t i = 0; i < particles.count; ++i) {
         const double drag = replies[i].dragCoefficient, mass = replies[i].addedMass;
         const Vec3 momentum = drag * particles.velocity[i];
-        const Stencil& window = windows_[i].mass;
+        const Stencil& window = places_[i].mass;
         for (int n = 0; n < 8; ++n) {
             Reaction& reaction = reaction_[window.cell[n]];
             reaction.drag += window.weight[n] * drag;
@@ -207,49 +399,44 @@ void DualGridScheme::spreadReaction(const ParticleView& particles, const std::ve
     complete(reaction_);
 }
 
-void DualGridScheme::prolong(const FineFlow& flow, double deltaT, FineSource& source)
+/// What the particles of a cell get of ∇p and ∇·τ, less what the fluid's equations carry for them [N].
+Vec3 DualGridScheme::returnedTo(int cell) const
+{
+    if (!settings_.momentumExchange)
+        return {};
+    const double wet = spheres_[cell].wet, dry = spheres_[cell].dry;
+    const SolidLoad& load = load_[cell];
+    const double weight = forces_.pressureGradient() ? wet * water_.density + dry * air_.density : 0;
+    return wet * (load.wet.viscousForce - load.wet.pressureGradient) +
+           dry * (load.dry.viscousForce - load.dry.pressureGradient) - weight * gravity_ - load.carried;
+}
+
+void DualGridScheme::prolongForce(const FineFlow& flow, double deltaT, FineSource& source, Ledger& ledger)
 {
     const PhaseTimer::Scope scope(timer, PhaseTimer::prolongation);
-    source.reset(flow.count);
-    prolongSolid(flow, source);
-    prolongForce(flow, deltaT, source);
-    prolongReaction(flow, source);
-}
-
-void DualGridScheme::prolongSolid(const FineFlow& flow, FineSource& source)
-{
-    density_.resize(flow.count);
-    for (std::size_t f = 0; f < flow.count; ++f)
-        density_[f] = flow.open(f);
-    solidProlongation_.shape(parts_, cells, solidFraction_, openVolume_, density_.data(), scalarMoment_);
-    complete(scalarMoment_);
-    solidProlongation_.spread(parts_, solidFraction_, openVolume_, density_.data(), scalarMoment_, 0,
-                              1 - settings_.smallestFluidFraction, source.solidFraction.data());
-    for (std::size_t f = 0; f < flow.count; ++f) {
-        if (source.solidFraction[f] > 0)
-            source.solidFraction[f] /= flow.open(f) * flow.volume[f];
-    }
-}
-
-void DualGridScheme::prolongForce(const FineFlow& flow, double deltaT, FineSource& source)
-{
     for (std::size_t f = 0; f < flow.count; ++f)
         density_[f] = flow.density[f] * flow.fluidFraction[f];
     acceleration_.reset(cells);
     for (int c = 0; c < cells.count(); ++c) {
-        if (fluidMass_[c] > 0)
-            acceleration_[c] = impulse[c] * (-1 / (deltaT * fluidMass_[c]));
+        if (!(fluidMass_[c] > 0))
+            continue;
+        const Vec3 returned = returnedTo(c);
+        acceleration_[c] = (impulse[c] / deltaT + returned) * (-1 / fluidMass_[c]);
+        if (c < cells.ownedCount())
+            ledger.passiveReturned += returned;
     }
     forceProlongation_.shape(parts_, cells, acceleration_, fluidMass_, density_.data(), vectorMoment_);
     complete(vectorMoment_);
     const double none = std::numeric_limits<double>::infinity();
     forceProlongation_.spread(parts_, acceleration_, fluidMass_, density_.data(), vectorMoment_, -none, none,
-                              source.force.data());
+                              forceParts_);
+    addToCells(parts_, forceParts_, source.force.data());
 }
 
 /// By the share of the coarse cell's fluid mass, no slope: a coefficient must not be negative.
 void DualGridScheme::prolongReaction(const FineFlow& flow, FineSource& source)
 {
+    const PhaseTimer::Scope scope(timer, PhaseTimer::prolongation);
     for (int row = 0; row < parts_.rows(); ++row) {
         const int cell = parts_.coarseCell(row);
         const Reaction& reaction = reaction_[cell];

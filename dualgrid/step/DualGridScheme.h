@@ -1,9 +1,16 @@
 /// The coupling through the coarse grid: the algorithm that CouplingStep.h describes.
+///
+/// Water and air are kept apart. The share of a sphere that is in the water (WaterSurface.h) goes into the water of the
+/// coarse cells around it and feels that water, the rest the air. So each coarse cell has two kinds of solid; on the
+/// fine mesh αs = α1 (αs in water) + (1-α1)(αs in air), and what the fluid's equations carry for the solid, αs∇p, is what
+/// the particles get, cell by cell: both read the same weights. Only where water and air share a fine cell does the
+/// weight in αs∇p differ from the one that a sphere in one of them feels; that difference is given to the fluid.
 #pragma once
 
 #include "CouplingScheme.h"
 #include "ExchangePlan.h"
 #include "Kernel.h"
+#include "PressureResponse.h"
 #include "WaterSurface.h"
 
 namespace frazil
@@ -21,27 +28,24 @@ class DualGridScheme : public CouplingScheme
                    std::vector<Interaction>& replies, FineSource& source) override;
 
   private:
-    void restrictFluid(const FineFlow& flow);
-    void findSurfaces();
-    void project(const ParticleView& particles, Ledger& ledger);
-    void spreadParticles(const ParticleView& particles, Ledger& ledger);
-    void fitSolid(Ledger& ledger);
-    void placeImpulse(Ledger& ledger);
-    void interact(const ParticleView& particles, std::vector<Interaction>& replies);
-    LocalFlow flowAt(const ParticleView& particles, std::size_t particle) const;
-    double densityAt(const ParticleView& particles, std::size_t particle, double wetFraction) const;
-    void spreadReaction(const ParticleView& particles, const std::vector<Interaction>& replies);
-    void prolong(const FineFlow& flow, double deltaT, FineSource& source);
-    void prolongSolid(const FineFlow& flow, FineSource& source);
-    void prolongForce(const FineFlow& flow, double deltaT, FineSource& source);
-    void prolongReaction(const FineFlow& flow, FineSource& source);
-
-    /// A particle's window on the coarse grid, by what it is needed for.
-    struct Windows {
-        Stencil solid; ///< weighted by open volume: where its volume goes
-        Stencil flow;  ///< by open volume, cells without fluid left out: where it sees the flow
-        Stencil mass;  ///< by fluid mass: where its reaction goes; at the surface the water, not the air above it
-        bool dry;      ///< no fluid in it
+    /// A particle on the coarse grid.
+    struct Place {
+        Stencil wet;     ///< weighted by open water: where its share in the water is, and sees the flow
+        Stencil dry;     ///< by open air
+        Stencil mass;    ///< by fluid mass: where its reaction goes; at the surface the water, not the air above it
+        double wetShare; ///< of the sphere [-]
+        double presence; ///< share of its volume that is in the mesh [-]; 0: it finds no fluid
+    };
+    /// Solid in one of the fluids, on the coarse grid.
+    struct Solid {
+        CoarseField<double> room;     ///< open volume of that fluid [m3]
+        CoarseField<double> fraction; ///< αs of the open volume [-]
+        std::vector<double> amount;   ///< per part [m3]
+    };
+    /// Volume of the spheres in a coarse cell [m3], before anything is clipped. Doubles only, as below.
+    struct Spheres {
+        double wet = 0, dry = 0;                   ///< what feels the fluid
+        double wetDisplaced = 0, dryDisplaced = 0; ///< of it, what the fluid gives way to (insertion)
     };
     /// Of the particles in a coarse cell. Doubles only: it travels through the halo as such.
     struct Reaction {
@@ -50,12 +54,37 @@ class DualGridScheme : public CouplingScheme
         double addedMass = 0; ///< [kg]
     };
 
+    void restrictFluid(const FineFlow& flow);
+    void findSurfaces(const ParticleView& particles);
+    void place(const ParticleView& particles, Ledger& ledger);
+    Place placeOf(const ParticleView& particles, std::size_t particle) const;
+    void project(const ParticleView& particles, Ledger& ledger);
+    void spreadSpheres(const ParticleView& particles, Ledger& ledger);
+    void fitSolid(Ledger& ledger);
+    void placeImpulse(Ledger& ledger);
+    void restrictLoads(const FineFlow& flow, Ledger& ledger);
+    void interact(const ParticleView& particles, std::vector<Interaction>& replies, Ledger& ledger);
+    LocalFlow flowAt(const Place& place) const;
+    PhaseFlow phaseAt(const Stencil& window, const Solid& solid, CoarsePhase CoarseFluid::*phase) const;
+    void push(const Stencil& window, double share, CoarsePush SolidLoad::*push, LocalFlow& flow) const;
+    double densityAt(const Place& place) const;
+    bool answers(const ParticleView& particles, std::size_t particle) const;
+    void respond(const ParticleView& particles, double deltaT, std::vector<Interaction>& replies, Ledger& ledger);
+    void spreadReaction(const ParticleView& particles, const std::vector<Interaction>& replies);
+    Vec3 returnedTo(int cell) const;
+    void prolongSolid(const FineFlow& flow, FineSource& source);
+    void prolongKind(Solid& solid);
+    void prolongForce(const FineFlow& flow, double deltaT, FineSource& source, Ledger& ledger);
+    void prolongReaction(const FineFlow& flow, FineSource& source);
+
     /// Every rank's contributions to the owner, the owner's sum to every copy.
     template <class T> void complete(CoarseField<T>& field)
     {
         plan_.accumulate(field.data());
         plan_.update(field.data());
     }
+    template <class T> void spreadSolid(const Place& place, const T& amount, CoarseField<T>& field) const;
+    template <class T> T gatherSolid(const Place& place, const CoarseField<T>& field) const;
 
     const Vec3 gravity_; ///< [m/s2]
     MPI_Comm comm_;
@@ -64,18 +93,23 @@ class DualGridScheme : public CouplingScheme
     Prolongation<double> solidProlongation_;
     Prolongation<Vec3> forceProlongation_;
 
-    CoarseField<double> openVolume_; ///< [m3]
-    CoarseField<double> flowVolume_; ///< open volume of the cells that hold fluid [m3]
-    CoarseField<double> fluidMass_;  ///< [kg]
+    CoarseField<Box> filled_; ///< part of each cell that is in the mesh
+    Solid wet_, dry_;
+    CoarseField<Spheres> spheres_;
+    CoarseField<double> fluidMass_;   ///< [kg]
     CoarseField<WaterSurface> surface_;
-    CoarseField<double> solidFraction_; ///< αs of the open volume [-]
-    CoarseField<Vec3> acceleration_;    ///< of the fluid by the particles [m/s2]
+    CoarseField<char> needed_; ///< cells whose surface a sphere asks for
+    CoarseField<SolidLoad> load_;
+    CoarseField<ResponseSums> sums_;
+    CoarseField<Vec3> response_;     ///< R/V [N/m3]
+    CoarseField<Vec3> acceleration_; ///< of the fluid by the particles [m/s2]
     CoarseField<double> scalarMoment_;
     CoarseField<Vec3> vectorMoment_;
     CoarseField<Reaction> reaction_;
     std::vector<Vec3> carried_;    ///< per owned cell: impulse that found no fluid yet [N s]
-    std::vector<Windows> windows_; ///< per particle
+    std::vector<Place> places_;    ///< per particle
     std::vector<double> density_;  ///< per fine cell: what a prolonged value is per, 1/m3 of it
+    std::vector<Vec3> forceParts_; ///< per part [N]
 };
 
 } // namespace frazil

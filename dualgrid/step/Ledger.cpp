@@ -21,21 +21,25 @@ double relative(double difference, double scale)
 } // namespace
 
 void Ledger::addFine(const FineFlow& flow, const std::vector<double>& solidFraction, const std::vector<Vec3>& force,
-                     double deltaT)
+                     double step)
 {
+    deltaT = step;
     for (std::size_t f = 0; f < flow.count; ++f) {
         fineVolume += solidFraction[f] * flow.open(f) * flow.volume[f];
         given -= deltaT * force[f];
     }
+    given -= deltaT * passiveReturned;
 }
 
 void Ledger::sumOver(MPI_Comm comm)
 {
-    double* const numbers[] = {&particleVolume, &coarseVolume, &fineVolume, &clippedVolume, &impulseScale};
-    Vec3* const vectors[] = {&received, &carriedIn, &coarseImpulse, &given, &unplaced};
+    double* const numbers[] = {&particleVolume, &absentVolume,  &coarseVolume, &fineVolume,
+                               &clippedVolume,  &impulseScale, &passiveScale};
+    Vec3* const vectors[] = {&received,        &carriedIn,      &coarseImpulse,   &given,   &unplaced,
+                             &passiveReceived, &passiveCarried, &passiveReturned, &response};
     std::int64_t* const counts[] = {&particles, &dryParticles, &clippedCells};
 
-    double sums[23];
+    double sums[37];
     int n = 0;
     for (const double* number : numbers)
         sums[n++] = *number;
@@ -59,7 +63,7 @@ void Ledger::sumOver(MPI_Comm comm)
 
 double Ledger::volumeErrorCoarse() const
 {
-    return relative(std::abs(coarseVolume - particleVolume), particleVolume);
+    return relative(std::abs(coarseVolume + absentVolume - particleVolume), particleVolume);
 }
 
 double Ledger::volumeErrorFine() const
@@ -74,29 +78,40 @@ double Ledger::impulseErrorCoarse() const
 
 double Ledger::impulseErrorFine() const
 {
-    return relative(norm(given + unplaced - coarseImpulse), impulseScale);
+    return relative(norm(given + unplaced - coarseImpulse), impulseScale + deltaT * passiveScale);
+}
+
+double Ledger::passiveError() const
+{
+    return relative(norm(passiveCarried + passiveReturned - passiveReceived), passiveScale);
 }
 
 std::string Ledger::csvHeader()
 {
-    return "time,particles,dryParticles,volumeParticles,volumeCoarse,volumeFine,volumeClipped,"
+    return "time,particles,dryParticles,volumeParticles,volumeAbsent,volumeCoarse,volumeFine,volumeClipped,"
            "cellsClipped,"
            "volumeErrorCoarse,volumeErrorFine,"
            "impulseReceivedX,impulseReceivedY,impulseReceivedZ,impulseCarriedX,impulseCarriedY,impulseCarriedZ,"
            "impulseCoarseX,impulseCoarseY,impulseCoarseZ,impulseFineX,impulseFineY,impulseFineZ,"
            "impulseUnplacedX,impulseUnplacedY,impulseUnplacedZ,impulseHeldX,impulseHeldY,impulseHeldZ,"
-           "impulseErrorCoarse,impulseErrorFine";
+           "impulseErrorCoarse,impulseErrorFine,"
+           "passiveReceivedX,passiveReceivedY,passiveReceivedZ,passiveCarriedX,passiveCarriedY,passiveCarriedZ,"
+           "passiveReturnedX,passiveReturnedY,passiveReturnedZ,responseX,responseY,responseZ,passiveError";
 }
 
 std::string Ledger::csvLine(double time) const
 {
-    std::string line = fmt::format("{:.9g},{},{},{:.17g},{:.17g},{:.17g},{:.6g},{},{:.3g},{:.3g}", time, particles,
-                                   dryParticles, particleVolume, coarseVolume, fineVolume, clippedVolume, clippedCells,
-                                   volumeErrorCoarse(), volumeErrorFine());
+    std::string line = fmt::format("{:.9g},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.6g},{},{:.3g},{:.3g}", time,
+                                   particles, dryParticles, particleVolume, absentVolume, coarseVolume, fineVolume,
+                                   clippedVolume, clippedCells, volumeErrorCoarse(), volumeErrorFine());
     for (const Vec3* v : {&received, &carriedIn, &coarseImpulse, &given, &unplaced, &held}) {
         line += fmt::format(",{:.17g},{:.17g},{:.17g}", v->x, v->y, v->z);
     }
-    return line + fmt::format(",{:.3g},{:.3g}", impulseErrorCoarse(), impulseErrorFine());
+    line += fmt::format(",{:.3g},{:.3g}", impulseErrorCoarse(), impulseErrorFine());
+    for (const Vec3* v : {&passiveReceived, &passiveCarried, &passiveReturned, &response}) {
+        line += fmt::format(",{:.17g},{:.17g},{:.17g}", v->x, v->y, v->z);
+    }
+    return line + fmt::format(",{:.3g}", passiveError());
 }
 
 } // namespace frazil

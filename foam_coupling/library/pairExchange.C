@@ -208,8 +208,8 @@ void Foam::pairExchange::writeCoarse()
     for (label cell = 0; cell < owned; ++cell)
     {
         solidFraction[cell] = solid[cell]/grid_.cellVolume();
-        water[cell] = fluid[cell].wetFraction;
-        velocity[cell] = fluid[cell].velocity;
+        water[cell] = fluid[cell].wetFraction();
+        velocity[cell] = fluid[cell].velocity();
     }
 
     snapshots_->begin(mesh_.time().timeIndex(), mesh_.time().value());

@@ -124,8 +124,8 @@ TEST(ForceModel, PressureGradientIsBuoyancyAndHasNoOtherPart)
 TEST(ForceModel, AddedMassAndSpin)
 {
     LocalFlow flow;
-    flow.acceleration = {3, 0, 0};
-    flow.vorticity = {0, 0, 8};
+    flow.water.acceleration = {3, 0, 0};
+    flow.water.vorticity = {0, 0, 8};
     const ParticleState sphere{{}, {}, 1e-3, 1};
     const Interaction force = model({{"rotationalDrag", "on"}})(flow, sphere, water, air);
     EXPECT_NEAR(force.addedMass, 0.5 * 1000 * 4.0 / 3 * pi * 1e-9, 1e-18);
@@ -138,7 +138,7 @@ TEST(ForceModel, AddedMassAndSpin)
 TEST(ForceModel, PartlyWetBlendsForcesNotViscosities)
 {
     LocalFlow flow;
-    flow.velocity = {0.05, 0, 0};
+    flow.water.velocity = flow.air.velocity = {0.05, 0, 0};
     flow.wetFraction = 0.25;
     const ParticleState sphere{{}, {}, 1e-3, 1};
     const Interaction force = model({})(flow, sphere, water, air);
@@ -148,10 +148,41 @@ TEST(ForceModel, PartlyWetBlendsForcesNotViscosities)
     EXPECT_DOUBLE_EQ(force.addedMass, 0.5 * 4.0 / 3 * pi * 1e-9 * (0.25 * 1000 + 0.75 * 1.2));
 }
 
+/// Still water below, a wind of 20 m/s above, a sphere at rest that is half in each.
+TEST(ForceModel, EachFluidPushesWithItsOwnVelocityAndAcceleration)
+{
+    LocalFlow flow;
+    flow.wetFraction = 0.5;
+    flow.air.velocity = {20, 0, 0};
+    flow.air.acceleration = {100, 0, 0};
+    const ParticleState sphere{{}, {}, 1e-3, 1};
+    const Interaction force = model({})(flow, sphere, water, air);
+    const double inWater = 0.5 * dragCoefficient(DiFelice{}, water, 2e-3, 0, 1);
+    const double inAir = 0.5 * dragCoefficient(DiFelice{}, air, 2e-3, 20, 1);
+    EXPECT_DOUBLE_EQ(force.dragCoefficient, inWater + inAir);
+    EXPECT_DOUBLE_EQ(force.dragCoefficient * force.fluidVelocity.x, inAir * 20);
+    EXPECT_NEAR(force.addedMass * force.fluidAcceleration.x, 0.5 * 0.5 * 1.2 * 4.0 / 3 * pi * 1e-9 * 100, 1e-20);
+}
+
+TEST(ForceModel, ASphereThatIsHalfThereFeelsHalf)
+{
+    LocalFlow flow;
+    flow.water.velocity = {0.05, 0, 0};
+    flow.pressureGradient = {0, 0, -9810};
+    ParticleState sphere{{}, {}, 1e-3, 1};
+    const Interaction whole = model({})(flow, sphere, water, air);
+    sphere.presence = 0.5;
+    const Interaction half = model({})(flow, sphere, water, air);
+    EXPECT_DOUBLE_EQ(half.dragCoefficient, 0.5 * whole.dragCoefficient);
+    EXPECT_DOUBLE_EQ(half.addedMass, 0.5 * whole.addedMass);
+    EXPECT_DOUBLE_EQ(half.passiveForce.z, 0.5 * whole.passiveForce.z);
+    EXPECT_EQ(half.fluidVelocity.x, whole.fluidVelocity.x);
+}
+
 TEST(ForceModel, ShieldingScalesDragAndAddedMassOnly)
 {
     LocalFlow flow;
-    flow.velocity = {0.05, 0, 0};
+    flow.water.velocity = {0.05, 0, 0};
     flow.pressureGradient = {0, 0, -9810};
     const ParticleState open{{}, {}, 1e-3, 1}, shielded{{}, {}, 1e-3, 0.25};
     const ForceModel on = model({{"shielding", "on"}});

@@ -18,15 +18,22 @@ struct Tank {
     LocalCells cells{grid, 0};
     CoarseField<CoarseFluid> fluid;
     CoarseField<WaterSurface> surface;
+    CoarseField<Box> filled;
 
     Tank(int height, const Vec3& normal, double level) : grid(Box{{0, 0, 0}, {h, h, h * height}}, h, 1, {})
     {
         fluid.reset(cells);
         surface.reset(cells);
+        filled.reset(cells);
         for (int c = 0; c < cells.count(); ++c) {
             fill(c, normal, level);
+            filled[c] = box(c);
             surface[c] = surfaceIn(box(c), fluid[c]);
         }
+    }
+    SphereShare sphereAt(double z, double r) const
+    {
+        return shareOfSphere({1, 1, z}, r, cells, filled, fluid, surface);
     }
     Box box(int cell) const { return grid.cellBox(grid.index(cells.global(cell))); }
     void fill(int cell, const Vec3& normal, double level)
@@ -104,8 +111,8 @@ TEST(WaterSurface, SphereSinksThroughSurfaceAndCellFace)
         const Tank tank(2, {0, 0, 1}, level);
         for (double z = 0.6; z < 3.4; z += 0.05) {
             const double expected = std::min(1.0, std::max(0.0, 0.5 + (level - z) / a));
-            EXPECT_NEAR(wetShare({1, 1, z}, r, tank.cells, tank.fluid, tank.surface, -1), expected, 1e-10)
-                << level << z;
+            EXPECT_NEAR(tank.sphereAt(z, r).inWater, expected, 1e-10) << level << z;
+            EXPECT_NEAR(tank.sphereAt(z, r).inMesh, 1, 1e-14);
         }
     }
 }
@@ -114,6 +121,45 @@ TEST(WaterSurface, CellsWithoutFluidAreLeftOut)
 {
     Tank tank(2, {0, 0, 1}, 1);
     tank.fluid[1] = CoarseFluid{};
-    EXPECT_NEAR(wetShare({1, 1, 2}, 0.5, tank.cells, tank.fluid, tank.surface, -1), 0, 1e-15);
-    EXPECT_EQ(wetShare({1, 1, 3.2}, 0.5, tank.cells, tank.fluid, tank.surface, 0.3), 0.3);
+    EXPECT_NEAR(tank.sphereAt(2, 0.5).inWater, 0, 1e-15);
+    EXPECT_FALSE(tank.sphereAt(2, 0.5).dry);
+    EXPECT_TRUE(tank.sphereAt(3.2, 0.5).dry);
+}
+
+/// Half of the upper cell is outside of the mesh: a sphere leaves as its volume does, and not at once.
+TEST(WaterSurface, SphereLeavesTheMesh)
+{
+    Tank tank(2, {0, 0, 1}, 1);
+    tank.filled[1].max.z = 3;
+    const double r = 0.5, a = std::cbrt(4.0 / 3 * 3.14159265358979323846) * r;
+    for (const double z : {2.0, 2.8, 3.0, 3.2, 3.4, 3.9})
+        EXPECT_NEAR(tank.sphereAt(z, r).inMesh, std::min(1.0, std::max(0.0, 0.5 + (3 - z) / a)), 1e-14) << z;
+}
+
+/// Water of 0.2 m over a floor that lies 1.2 m above the cell's lower face: the plane is cut in what is open.
+TEST(WaterSurface, SurfaceOverAFloorInsideTheCell)
+{
+    const Box cell{{0, 0, 0}, {h, h, h}};
+    CoarseFluid fluid;
+    MeshShare mesh{4 * 0.8, {0, 0, 4 * 0.8 * 0.6}}; // from 1.2 to 2
+    fluid.openVolume = mesh.volume;
+    fluid.openMoment = mesh.moment;
+    fluid.openWater = 4 * 0.2;
+    fluid.waterMoment = {0, 0, 4 * 0.2 * 0.3}; // from 1.2 to 1.4
+    const Box filled = filledBox(cell, mesh);
+    EXPECT_NEAR(filled.min.z, 1.2, 1e-14);
+    EXPECT_NEAR(filled.max.z, 2, 1e-14);
+    const WaterSurface surface = surfaceIn(filled, fluid);
+    EXPECT_NEAR(surface.level, 1.4, 1e-12);
+    EXPECT_EQ(surface.sharpness, 1);
+    EXPECT_NEAR(surface.shareOf({{0.5, 0.5, 1.25}, {0.6, 0.6, 1.35}}), 1, 1e-12) << "submerged";
+}
+
+TEST(WaterSurface, ASlantedWallLeavesTheWholeCell)
+{
+    const Box cell{{0, 0, 0}, {h, h, h}}; // the half below the diagonal of x and z
+    const Box filled = filledBox(cell, {4, {-4.0 / 3, 0, -4.0 / 3}});
+    EXPECT_EQ(filled.max.z, h);
+    EXPECT_EQ(filled.min.z, 0);
+    EXPECT_EQ(norm(filledBox(cell, {}).size()), 0) << "no mesh";
 }
