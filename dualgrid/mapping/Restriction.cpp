@@ -16,15 +16,22 @@ void add(CoarsePhase& sum, const FineFlow& flow, std::size_t f, double volume)
     sum.vorticity += volume * flow.vorticity[f];
 }
 
-void finish(CoarsePhase& phase)
+/// Less than this share of a coarse cell is round-off of the cutting, or what diffusion has left: nothing is there.
+const double nothing = 1e-12;
+
+void finish(CoarsePhase& phase, double cellVolume)
 {
-    if (!(phase.volume > 0))
+    if (!(phase.volume > nothing * cellVolume)) {
+        phase = CoarsePhase{};
         return;
+    }
     const double scale = 1 / phase.volume;
     phase.velocity *= scale;
     phase.vorticity *= scale;
-    if (phase.accelerated > 0)
+    if (phase.accelerated > nothing * phase.volume)
         phase.acceleration *= 1 / phase.accelerated;
+    else
+        phase.acceleration = Vec3{};
     phase.accelerated *= scale;
 }
 
@@ -35,9 +42,9 @@ void add(CoarsePush& sum, double volume, const Vec3& pressureGradient, const Vec
     sum.viscousForce += volume * viscousForce;
 }
 
-void finish(CoarsePush& push)
+void finish(CoarsePush& push, double cellVolume)
 {
-    if (!(push.volume > 0))
+    if (!(push.volume > nothing * nothing * cellVolume))
         return;
     push.pressureGradient *= 1 / push.volume;
     push.viscousForce *= 1 / push.volume;
@@ -72,13 +79,12 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells
 
 void finishAverages(CoarseFluid& cell, double cellVolume)
 {
-    // Less than this share of the cell is round-off of the cutting, not fluid.
-    if (!(cell.fluidVolume > 1e-12 * cellVolume)) {
+    if (!(cell.fluidVolume > nothing * cellVolume)) {
         cell = CoarseFluid{};
         return;
     }
-    finish(cell.water);
-    finish(cell.air);
+    finish(cell.water, cellVolume);
+    finish(cell.air, cellVolume);
 }
 
 void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveForces& forces, const double* wetSolid,
@@ -103,10 +109,10 @@ void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveFor
     }
 }
 
-void finishAverages(SolidLoad& cell)
+void finishAverages(SolidLoad& cell, double cellVolume)
 {
-    finish(cell.wet);
-    finish(cell.dry);
+    finish(cell.wet, cellVolume);
+    finish(cell.dry, cellVolume);
 }
 
 } // namespace frazil

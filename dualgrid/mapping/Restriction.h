@@ -102,6 +102,6 @@ void finishAverages(CoarseFluid& cell, double cellVolume);
 /// @param wetSolid, drySolid  volume of the solid in water and in air, per part [m3]
 void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveForces& forces, const double* wetSolid,
                   const double* drySolid, const LocalCells& cells, CoarseField<SolidLoad>& sums);
-void finishAverages(SolidLoad& cell);
+void finishAverages(SolidLoad& cell, double cellVolume);
 
 } // namespace frazil

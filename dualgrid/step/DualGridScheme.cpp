@@ -272,7 +272,7 @@ void DualGridScheme::restrictLoads(const FineFlow& flow, Ledger& ledger)
     restrictLoad(parts_, flow, passive, wet_.amount.data(), dry_.amount.data(), cells, load_);
     plan_.accumulate(load_.data());
     for (int c = 0; c < cells.ownedCount(); ++c) {
-        finishAverages(load_[c]);
+        finishAverages(load_[c], cells.grid().cellVolume());
         ledger.passiveCarried += load_[c].carried;
     }
     plan_.update(load_.data());
@@ -324,7 +324,7 @@ PhaseFlow DualGridScheme::phaseAt(const Stencil& window, const Solid& solid, Coa
         accelerated += w * cell.accelerated;
         flow.vorticity += w * cell.vorticity;
     }
-    if (accelerated > 0)
+    if (accelerated > nothing)
         flow.acceleration *= 1 / accelerated;
     return flow;
 }

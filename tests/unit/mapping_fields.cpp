@@ -179,7 +179,7 @@ TEST(Restriction, LoadOfTheSolidIsWhatTheFineCellsCarry)
     CoarseField<SolidLoad> load;
     const FineFlow flow{2, volume, epsilon, nullptr, density, wet, zero, gradient, viscous, zero, zero};
     restrictLoad(parts, flow, {true, true, {0, 0, -10}}, wetSolid, drySolid, cells, load);
-    finishAverages(load[0]);
+    finishAverages(load[0], 1);
     EXPECT_DOUBLE_EQ(load[0].wet.volume, 0.05);
     EXPECT_DOUBLE_EQ(load[0].wet.pressureGradient.x, 3);
     EXPECT_DOUBLE_EQ(load[0].wet.pressureGradient.z, 0);
