@@ -83,6 +83,8 @@ class FixCoupleFoam : public Fix {
   void sendBodies();
   void takeReplies();
   void takeBodyLoads();
+  void requireBody(const std::string &name) const;
+  const frazil::BodyLoad &loadOf(const std::string &name, const std::vector<frazil::BodyLoad> &loads) const;
   void endRun();
   void printTimers();
 
