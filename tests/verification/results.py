@@ -45,6 +45,22 @@ def full_tensor(check):
         check.true("XDMF type", 'Name="stress" AttributeType="Tensor"' in file.read())
 
 
+def times_after_a_restart(check):
+    """Steps count on; so does the time, also from a restart file that a continued run wrote."""
+    fixes = bond() + f"fix nve all nve/sphere\nfix out all results {EVERY} bonds bonds\n"
+    text = head() + MODEL + spheres([[-R, 0, 0], [R, 0, 0]]) + "timestep 1e-7\n" + fixes
+    run = check.run(text + f"run {EVERY}\nwrite_restart once\n")
+    for file, steps in (("once", 2), ("twice", 1)):
+        text = f"atom_style granular\nboundary f f f\nnewton off\ncommunicate single vel yes\nread_restart {file}\n"
+        text += "neighbor 0.0005 bin\nneigh_modify delay 0\n" + MODEL + "timestep 1e-7\n" + fixes
+        check.run(text + f"run {steps * EVERY}\nwrite_restart twice\n", folder=run.folder)
+    with h5py.File(os.path.join(run.folder, "particles.h5")) as results:
+        times = {int(step): group.attrs["time"] for step, group in results["particles"].items()}
+    check.true("steps over two restarts", sorted(times) == [n * EVERY for n in range(5)], str(sorted(times)))
+    for step, time in times.items():
+        check.near(f"time of step {step}", time, step * 1e-7, 1e-12, scale=1e-7)
+
+
 def bad_input(check):
     for keyword, style in (("fluid", "nve/sphere"), ("bonds", "nve/sphere")):
         run = check.run(script(f"fix out all results {EVERY} {keyword} nve\n"), ranks=2, expect_failure=True)
@@ -64,6 +80,7 @@ def failure_of_one_rank(check):
 check = Check()
 stress_of_its_step(check)
 full_tensor(check)
+times_after_a_restart(check)
 bad_input(check)
 failure_of_one_rank(check)
 check.finish()
