@@ -156,6 +156,9 @@ void FixCoupleFoam::findMotion()
   } catch (const std::exception &e) {
     error->fix_error(FLERR, this, e.what());
   }
+  // what a motion knew that has ended is of no use to the next one
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!motion_.accelerates(atom->mask[i])) carried_[i].velocityKnown = 0;
 }
 
 /* ----------------------------------------------------------------------
@@ -232,7 +235,7 @@ void FixCoupleFoam::applyFluid(double impulseWeight)
     p.impulse += received;
     impulse_ += received;
     p.reaction = reaction;
-    if (impulseWeight > 0) rememberVelocity(i);
+    if (impulseWeight > 0 && motion_.accelerates(atom->mask[i])) rememberVelocity(i);
 
     double *shown = array_atom[i];
     shown[0] = force.x, shown[1] = force.y, shown[2] = force.z;
@@ -278,8 +281,8 @@ Vec3 FixCoupleFoam::prescribedAcceleration(int i) const
 
 void FixCoupleFoam::rememberVelocity(int i)
 {
-  carried_[i].velocityKnown = motion_.accelerates(atom->mask[i]);
-  if (carried_[i].velocityKnown) carried_[i].velocity = vec(atom->v[i]);
+  carried_[i].velocity = vec(atom->v[i]);
+  carried_[i].velocityKnown = 1;
 }
 
 // a particle whose force fix freeze has cleared would move if it were given one now

@@ -212,14 +212,14 @@ void FixCoupleFoam::requireBody(const std::string &name) const
 {
   for (const CoupledBody *body : bodies_)
     if (name == body->bodyState().name) return;
-  throw std::runtime_error("frazilFoam sent the load of a body " + name + ", which the script does not have (fix body/rigid " +
-                           "of this ID). Was it removed after the coupling had started? Keep it");
+  throw std::runtime_error("frazilFoam sent the load of a body " + name + ", which the script does not have (fix " +
+                           "body/rigid of this ID). Was it removed after the coupling had started? Keep it");
 }
 
 const frazil::BodyLoad &FixCoupleFoam::loadOf(const std::string &name, const std::vector<frazil::BodyLoad> &loads) const
 {
   for (const frazil::BodyLoad &load : loads)
     if (name == load.name) return load;
-  throw std::runtime_error("frazilFoam sent no load of the body " + name + " (fix body/rigid of this ID). Was it added after " +
-                           "the coupling had started? Define all bodies before the first run");
+  throw std::runtime_error("frazilFoam sent no load of the body " + name + " (fix body/rigid of this ID). Was it " +
+                           "added after the coupling had started? Define all bodies before the first run");
 }

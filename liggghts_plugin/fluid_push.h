@@ -7,8 +7,8 @@
    and the stock integrator, which computes f/m, takes f = m a. It is stable for any K and any ma, also where ma > m
    (a light sphere). The reaction that the fluid receives is what the integrator really applied: f - F - P.
    Torque: I dw/dt = T + C (W - w), w the spin, likewise.
-   A sphere whose motion is prescribed feels P + K (uf - v) + ma (Du/Dt - a) with that motion's a; one that nobody moves, or
-   that is towed at constant velocity, has a = 0.
+   A sphere whose motion is prescribed feels P + K (uf - v) + ma (Du/Dt - a) with that motion's a; one that nobody
+   moves, or that is towed at constant velocity, has a = 0.
    Cost: about 60 flops. Source: Auton, Hunt & Prud'homme 1988 for the added mass. */
 
 #ifndef FRAZIL_FLUID_PUSH_H

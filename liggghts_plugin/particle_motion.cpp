@@ -94,9 +94,9 @@ void ParticleMotion::add(const Fix *fix, bool beforeLast)
   if (!fix->time_integrate || dynamic_cast<const CoupledBody *>(fix)) return;
   if (const FixMove *move = dynamic_cast<const FixMove *>(fix)) addMove(move);
   else if (!addKnownIntegrator(fix))
-    refuse(fix, "integrates in a way that fix couple/foam does not know: is it the force that moves its particles? Known: "
-                "nve, nve/limit, nve/sph, nve/sphere (the force), move, nve/noforce, nve/sph/stationary (prescribed). "
-                "Use one of these");
+    refuse(fix, "integrates in a way that fix couple/foam does not know: is it the force that moves its particles? "
+                "Known: nve, nve/limit, nve/sph, nve/sphere (the force), move, nve/noforce, nve/sph/stationary "
+                "(prescribed). Use one of these");
 }
 
 bool ParticleMotion::addKnownIntegrator(const Fix *fix)

@@ -1,12 +1,12 @@
-/* What moves each particle along each axis: its force, or a fix that prescribes the motion. Found from the script's
-   fixes at the set-up of each run:
+/* What moves each particle along each axis: its force, or a fix that prescribes the motion. Found from the fixes of the
+   script at the set-up of each run:
 
      nve, nve/limit, nve/sph          the force; nothing turns the particle
      nve/sphere                       the force; the torque turns it
      move                             prescribed; by the force along axes that are NULL; the torque turns nothing
      nve/noforce, nve/sph/stationary  prescribed, at constant velocity
      freeze                           no force acts, whatever integrates
-   A particle of several groups: what prescribes a motion goes before freeze, and freeze before the force.
+   A particle of several groups: a prescribed motion goes before freeze, and freeze before the force.
    A style that is not in this list is refused: taken for the other kind, it would be given, and would give to the fluid,
    the added-mass force of an acceleration that it does not have.
    Cost: a few bit operations per particle and question. Parallel: the same on all ranks. */

@@ -1,7 +1,7 @@
-"""fix couple/foam on particles that no force moves: towed, shaken, drifting, frozen. Closed forms, as in couple_foam.py.
+"""fix couple/foam on particles that no force moves: towed, shaken, drifting, frozen. Closed forms as in couple_foam.py.
 
-The fluid's force on a sphere is P + K (u - v) + ma (Du/Dt - a) with the a that it really performs, and the fluid receives
-the impulse of all but P with opposite sign. Every case on 1 and 2 ranks of frazilDem.
+The fluid's force on a sphere is P + K (u - v) + ma (Du/Dt - a) with the a that it really performs, and the fluid
+receives the impulse of all but P with opposite sign. Every case on 1 and 2 ranks of frazilDem.
 """
 import math
 import re
@@ -9,16 +9,15 @@ import sys
 import unittest
 
 import couple_foam
-from couple_foam import COUPLE, DT, HEAD, MASS, MOVE, PRINT
+from couple_foam import COUPLE, DT, MASS, MOVE, PRINT
 
 RANKS = ((1, 1), (2, 1))
-T = 0.2                                                                              # end of all runs [s]
-FLUID = {"K": 0.02, "u": 1.5, "ma": 0.5 * MASS, "dudt": 2, "passive": 0.01}          # ma: ½ρV of water
-V = 0.1                                                                              # towing speed [m/s]
+T = 0.2  # end of all runs [s]
+V = 0.1  # towing speed [m/s]
+FLUID = {"K": 0.02, "u": 1.5, "ma": 0.5 * MASS, "dudt": 2, "passive": 0.01}  # ma: ½ρV of water
 TOWED = f"velocity all set {V} 0 0 units box\n"
-HELD = 3 * (FLUID["K"] * FLUID["u"] + FLUID["ma"] * FLUID["dudt"] + FLUID["passive"])  # at rest
-TORQUE = ("compute t all reduce sum f_foam[6]\n"
-          + PRINT.replace("f_foam[1]", "c_t"))                                       # its sum in place of the time
+HELD = 3 * (FLUID["K"] * FLUID["u"] + FLUID["ma"] * FLUID["dudt"] + FLUID["passive"])  # force at rest [N]
+TORQUE = "compute t all reduce sum f_foam[6]\n" + PRINT.replace("f_foam[1]", "c_t")  # its sum in place of the time
 
 
 class Case(couple_foam.Case):
@@ -53,16 +52,26 @@ class ConstantVelocity(Case):
         self.towed(MOVE + f"fix tow all move linear {V} 0 0\n")
 
     def test_the_jump_into_the_motion_is_no_acceleration(self):
-        """At rest in the script, at speed from the first step on: what the fluid learns is as if it had always moved."""
+        """At rest in the script, at speed from the first step on: the fluid learns of no kick."""
         for _, run in self.each(f"fix tow all move linear {V} 0 0\n" + COUPLE + PRINT + "run 2000\n", ma=MASS, K=0):
             self.assertEqual(self.impulse(run), 0)
 
     def test_free_along_one_axis(self):
         """NULL leaves that axis to the force: there a = (P + ma Du/Dt)/(m + ma), exactly."""
         a = (FLUID["passive"] + FLUID["ma"] * FLUID["dudt"]) / (MASS + FLUID["ma"])
-        for end, _ in self.each(f"fix tow all move linear NULL 0 {V}\n" + COUPLE + PRINT + "run 2000\n", **{**FLUID, "K": 0}):
+        script = f"fix tow all move linear NULL 0 {V}\n" + COUPLE + PRINT + "run 2000\n"
+        for end, _ in self.each(script, **{**FLUID, "K": 0}):
             self.near(end["vmax"], a * T, 1e-11)
             self.near(end["force"], 3 * MASS * a, 1e-11)
+
+    def test_some_towed_some_free(self):
+        """Each by its own law, side by side."""
+        groups = f"group one id 1\ngroup rest subtract all one\nfix tow one move linear {V} 0 0\nfix free rest nve/sphere\n"
+        a = (FLUID["passive"] + FLUID["ma"] * FLUID["dudt"]) / (MASS + FLUID["ma"])
+        for end, _ in self.each(groups + COUPLE + PRINT + "run 2000\n", **{**FLUID, "K": 0}):
+            self.near(end["vmin"], V, 1e-14)
+            self.near(end["vmax"], a * T, 1e-11)
+            self.near(end["force"], 2 * MASS * a + FLUID["ma"] * FLUID["dudt"] + FLUID["passive"], 1e-11)
 
 
 class Acceleration(Case):
@@ -70,8 +79,8 @@ class Acceleration(Case):
     W = 2 * math.pi / PERIOD
 
     def shaken(self, script, **fluid):
-        """x = A sin wt: a = -A w² sin wt, so the fluid pushes with +ma A w² sin wt, half a DEM step late; the fluid is told
-        the impulse -ma (v(T) - v(0)). The first step has no step before it to take an acceleration from."""
+        """x = A sin wt: a = -A w² sin wt, so the fluid pushes with +ma A w² sin wt, half a DEM step late; it is told the
+        impulse -ma (v(T) - v(0)). The first step has no step before it to take an acceleration from."""
         ma, A, W = FLUID["ma"], self.A, self.W
         speed = 2 * A / DT * math.sin(W * DT / 2)  # of the difference quotient of sin
         for end, run in self.each(script, ma=ma, **fluid):
