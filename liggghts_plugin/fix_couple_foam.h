@@ -89,11 +89,12 @@ class FixCoupleFoam : public Fix {
   void printTimers();
 
   void applyFluid(double impulseWeight);
-  frazil::Vec3 reactionOn(int i) const;
-  frazil::Vec3 torqueOn(int i) const;
+  // of one particle, in the loop of applyFluid
+  inline frazil::Vec3 reactionOn(int i) const;
+  inline frazil::Vec3 torqueOn(int i) const;
   frazil::Vec3 prescribedAcceleration(int i) const;
   void rememberVelocity(int i);
-  void push(int i);
+  inline void push(int i);
   void repeatFluid();
   double fluidTimeNow() const;
 
