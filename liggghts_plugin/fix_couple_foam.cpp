@@ -42,8 +42,6 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   fragmentEvery_(10),
   ramp_(0.01),
   shielding_(NULL),
-  movingGroups_(0),
-  frozenGroups_(0),
   exchangeStep_(-1),
   first_(true),
   lastDeltaT_(0),
@@ -136,7 +134,7 @@ void FixCoupleFoam::init()
   if (exchangeStep_ >= 0 && update->dt != dt_)
     error->fix_error(FLERR, this, "the time step may not change after the coupling has started. Keep timestep as it was");
   findPartners();
-  findMovingGroups();
+  findMotion();
   requireLastForce();
 }
 
@@ -156,23 +154,16 @@ void FixCoupleFoam::findPartners()
   }
 }
 
-/* ----------------------------------------------------------------------
-   particles that nobody integrates, or that fix freeze stops, have no acceleration
-------------------------------------------------------------------------- */
-
-void FixCoupleFoam::findMovingGroups()
+void FixCoupleFoam::findMotion()
 {
-  movingGroups_ = frozenGroups_ = 0;
-  for (int i = 0; i < modify->nfix; i++) {
-    const Fix *fix = modify->fix[i];
-    if (fix->time_integrate && !dynamic_cast<const CoupledBody *>(fix)) movingGroups_ |= fix->groupbit;
-    if (!strcmp(fix->style, "freeze")) frozenGroups_ |= fix->groupbit;
-    if (!strncmp(fix->style, "multisphere", 11) || !strncmp(fix->style, "rigid", 5)) {
-      const std::string message = std::string("cannot couple clumps of spheres (fix ") + fix->id + ", " + fix->style +
-                                  "). Bond the spheres with fix bond/parallel";
-      error->fix_error(FLERR, this, message.c_str());
-    }
+  try {
+    motion_ = ParticleMotion(*modify, this);
+  } catch (const std::exception &e) {
+    error->fix_error(FLERR, this, e.what());
   }
+  // what a motion knew that has ended is of no use to the next one
+  for (int i = 0; i < atom->nlocal; i++)
+    if (!motion_.accelerates(atom->mask[i])) carried_[i].velocityKnown = 0;
 }
 
 /* ----------------------------------------------------------------------
@@ -241,42 +232,79 @@ void FixCoupleFoam::reset_timestep(bigint newStep, bigint oldStep)
 
 void FixCoupleFoam::applyFluid(double impulseWeight)
 {
-  double **v = atom->v, **f = atom->f, **omega = atom->omega, **torque = atom->torque;
-  const double *radius = atom->radius, *rmass = atom->rmass;
-  const int *mask = atom->mask;
-  const double dt = update->dt;
-
   for (int i = 0; i < atom->nlocal; i++) {
-    if (!(mask[i] & groupbit)) continue;
+    if (!(atom->mask[i] & groupbit)) continue;
     Carried &p = carried_[i];
-    const bool moves = isMoved(i);
-    const Vec3 reaction = moves ? frazil::reactionOnMoving(p.fluid, vec(f[i]), vec(v[i]), rmass[i], dt)
-                                : frazil::reactionOnHeld(p.fluid, vec(v[i]));
-    const double inertia = momentOfInertia * rmass[i] * radius[i] * radius[i];
-    const Vec3 spin = moves ? frazil::torqueOnMoving(p.fluid, vec(torque[i]), vec(omega[i]), inertia, dt)
-                            : p.fluid.spinCoefficient * (p.fluid.fluidSpin - vec(omega[i]));
-    if (impulseWeight > 0) {
-      p.others += dt * vec(f[i]);
-      p.path += dt * vec(v[i]);  // that of the half step, with which the positions have moved
-    }
-    const Vec3 push = p.fluid.passiveForce + reaction;
-    add(f[i], push);
-    add(torque[i], spin);
-
+    const Vec3 reaction = reactionOn(i), spin = torqueOn(i), force = p.fluid.passiveForce + reaction;
+    if (impulseWeight > 0) noteMotion(i);
     const Vec3 received = impulseWeight * (p.reaction + reaction);
     p.impulse += received;
     impulse_ += received;
     p.reaction = reaction;
+    if (impulseWeight > 0 && motion_.accelerates(atom->mask[i])) rememberVelocity(i);
 
     double *shown = array_atom[i];
-    shown[0] = push.x, shown[1] = push.y, shown[2] = push.z;
+    shown[0] = force.x, shown[1] = force.y, shown[2] = force.z;
     shown[3] = spin.x, shown[4] = spin.y, shown[5] = spin.z;
+    push(i);
   }
 }
 
-bool FixCoupleFoam::isMoved(int i) const
+// over the fluid step: impulse of all other forces, and way; the velocity is that of the half step, with which the
+// positions have moved
+void FixCoupleFoam::noteMotion(int i)
 {
-  return (atom->mask[i] & movingGroups_) && !(atom->mask[i] & frozenGroups_);
+  carried_[i].others += update->dt * vec(atom->f[i]);
+  carried_[i].path += update->dt * vec(atom->v[i]);
+}
+
+// drag and added-mass force, axis by axis: a fix may prescribe the motion along some of them
+Vec3 FixCoupleFoam::reactionOn(int i) const
+{
+  const frazil::Interaction &fluid = carried_[i].fluid;
+  const Vec3 v = vec(atom->v[i]);
+  const int mask = atom->mask[i];
+  const Vec3 moving = frazil::reactionOnMoving(fluid, vec(atom->f[i]), v, atom->rmass[i], update->dt);
+  if (motion_.free(mask)) return moving;
+  Vec3 reaction = frazil::reactionOnPrescribed(fluid, v, prescribedAcceleration(i));
+  for (int axis = 0; axis < 3; axis++)
+    if (motion_.free(mask, axis)) reaction[axis] = moving[axis];
+  return reaction;
+}
+
+Vec3 FixCoupleFoam::torqueOn(int i) const
+{
+  const frazil::Interaction &fluid = carried_[i].fluid;
+  const Vec3 w = vec(atom->omega[i]);
+  if (!motion_.spins(atom->mask[i])) return frazil::torqueOnPrescribed(fluid, w);
+  const double inertia = momentOfInertia * atom->rmass[i] * atom->radius[i] * atom->radius[i];
+  return frazil::torqueOnMoving(fluid, vec(atom->torque[i]), w, inertia, update->dt);
+}
+
+/* ----------------------------------------------------------------------
+   of the last DEM step. Its first step of all counts as unaccelerated: the jump from the script's initial velocity into
+   the motion is the script's, and no kick to the fluid
+------------------------------------------------------------------------- */
+
+Vec3 FixCoupleFoam::prescribedAcceleration(int i) const
+{
+  const Carried &p = carried_[i];
+  if (!motion_.accelerates(atom->mask[i]) || !p.velocityKnown) return Vec3();
+  return (vec(atom->v[i]) - p.velocity) / update->dt;
+}
+
+void FixCoupleFoam::rememberVelocity(int i)
+{
+  carried_[i].velocity = vec(atom->v[i]);
+  carried_[i].velocityKnown = 1;
+}
+
+// a particle whose force fix freeze has cleared would move if it were given one now
+void FixCoupleFoam::push(int i)
+{
+  if (motion_.cleared(atom->mask[i])) return;
+  add(atom->f[i], vec(array_atom[i]));
+  add(atom->torque[i], vec(array_atom[i] + 3));
 }
 
 /* ----------------------------------------------------------------------
@@ -285,11 +313,8 @@ bool FixCoupleFoam::isMoved(int i) const
 
 void FixCoupleFoam::repeatFluid()
 {
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    add(atom->f[i], vec(array_atom[i]));
-    add(atom->torque[i], vec(array_atom[i] + 3));
-  }
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) push(i);
 }
 
 /* ----------------------------------------------------------------------

@@ -3,7 +3,8 @@
    At the end of the DEM step that reaches the fluid's time (and at the set-up of the first run) particles and bodies
    go to the fluid ranks and the coefficients of the fluid force come back; then both programs advance at once. The
    coefficients are held for the fluid step; the force is renewed at every DEM step, implicit in the particle's
-   velocity and acceleration (fluid_push.h).
+   velocity and acceleration (fluid_push.h) where the force moves the particle; where a fix prescribes its motion, with
+   the acceleration that it performs (particle_motion.h).
 
    Impulse: velocity Verlet applies half of each step's force before and half after the positions move, so what a
    particle received since the last exchange is the trapezoidal sum of its drag and added-mass forces. It travels
@@ -20,6 +21,7 @@
 #include "CoarseGrid.h"
 #include "DemLink.h"
 #include "fix.h"
+#include "particle_motion.h"
 
 namespace LAMMPS_NS {
 
@@ -59,7 +61,10 @@ class FixCoupleFoam : public Fix {
     frazil::Vec3 others;    // impulse of all other forces since the last exchange [N s]
     frazil::Vec3 path;      // way since the last exchange [m]
     frazil::Vec3 speed[2];  // mean velocity over the last fluid step and the one before [m/s]
-    double age;             // time in the coupling [s], for the ramp of inserted particles
+    double age = 0;         // time in the coupling [s], for the ramp of inserted particles
+    // where a fix prescribes a motion that accelerates: velocity of the last DEM step [m/s], and 1 if there was one
+    frazil::Vec3 velocity;
+    double velocityKnown = 0;
   };
   static const int CARRIED = sizeof(Carried) / sizeof(double);
   static const int FORCES = 6;  // columns of array_atom
@@ -69,7 +74,7 @@ class FixCoupleFoam : public Fix {
   void readKeywords(int narg, char **arg);
 
   void findPartners();
-  void findMovingGroups();
+  void findMotion();
   void requireLastForce();
 
   void startCoupling();
@@ -78,16 +83,24 @@ class FixCoupleFoam : public Fix {
   frazil::StepReport report();
   void checkClock(const frazil::StepOrder &order);
   bool leftBox(const double *x) const;
-  bool isMoved(int i) const;
+  void noteMotion(int i);
   frazil::ParticleMotion motionOf(int i);
   void gatherRecords();
   void sendBodies();
   void takeReplies();
   void takeBodyLoads();
+  void requireBody(const std::string &name) const;
+  const frazil::BodyLoad &loadOf(const std::string &name, const std::vector<frazil::BodyLoad> &loads) const;
   void endRun();
   void printTimers();
 
   void applyFluid(double impulseWeight);
+  // of one particle, in the loop of applyFluid
+  inline frazil::Vec3 reactionOn(int i) const;
+  inline frazil::Vec3 torqueOn(int i) const;
+  frazil::Vec3 prescribedAcceleration(int i) const;
+  void rememberVelocity(int i);
+  inline void push(int i);
   void repeatFluid();
   double fluidTimeNow() const;
 
@@ -100,7 +113,7 @@ class FixCoupleFoam : public Fix {
   std::unique_ptr<class CouplingHistory> history_;
   std::vector<class CoupledBody *> bodies_;
   class Fix *shielding_;
-  int movingGroups_, frozenGroups_;
+  ParticleMotion motion_;
 
   frazil::StepOrder order_;  // of the fluid step being taken
   bigint exchangeStep_;      // DEM step of the last exchange

@@ -198,7 +198,7 @@ frazil::ParticleMotion FixCoupleFoam::motionOf(int i)
 {
   Carried &p = carried_[i];
   frazil::ParticleMotion motion;
-  motion.mass = isMoved(i) ? atom->rmass[i] : 0;
+  motion.mass = motion_.free(atom->mask[i]) ? atom->rmass[i] : 0;
   motion.displacing = p.age < ramp_ ? p.age / ramp_ : 1;
   if (first_ || p.age == 0) {
     p.speed[0] = p.speed[1] = vec(atom->v[i]);
@@ -231,8 +231,23 @@ void FixCoupleFoam::takeBodyLoads()
   const std::vector<frazil::BodyLoad> loads = link_->receiveBodyLoads();
   // none yet: bodies keep the load of their restart file, or start without one
   if (loads.empty()) return;
-  if (loads.size() != bodies_.size())
-    throw std::runtime_error("frazilFoam sent the loads of " + std::to_string(loads.size()) + " bodies, not of " +
-                             std::to_string(bodies_.size()));
-  for (size_t b = 0; b < bodies_.size(); b++) bodies_[b]->setFluidLoad(loads[b]);
+  for (const frazil::BodyLoad &load : loads) requireBody(load.name);
+  for (CoupledBody *body : bodies_) body->setFluidLoad(loadOf(body->bodyState().name, loads));
+}
+
+// the handshake has compared the names already; these two keep a body from another's load whatever happened since
+void FixCoupleFoam::requireBody(const std::string &name) const
+{
+  for (const CoupledBody *body : bodies_)
+    if (name == body->bodyState().name) return;
+  throw std::runtime_error("frazilFoam sent the load of a body " + name + ", which the script does not have (fix " +
+                           "body/rigid of this ID). Was it removed after the coupling had started? Keep it");
+}
+
+const frazil::BodyLoad &FixCoupleFoam::loadOf(const std::string &name, const std::vector<frazil::BodyLoad> &loads) const
+{
+  for (const frazil::BodyLoad &load : loads)
+    if (name == load.name) return load;
+  throw std::runtime_error("frazilFoam sent no load of the body " + name + " (fix body/rigid of this ID). Was it " +
+                           "added after the coupling had started? Define all bodies before the first run");
 }

@@ -82,6 +82,8 @@ void FixCoupleFoam::unpack_restart(int nlocal, int nth)
   double *extra = atom->extra[nlocal];
   int m = 0;
   for (int i = 0; i < nth; i++) m += static_cast<int>(extra[m]);
+  if (static_cast<int>(extra[m]) != size_restart(nlocal))
+    stop("the restart file is of another version of Frazil. Continue it with that version, or start anew");
   unpack_exchange(nlocal, extra + m + 1);
   impulse_ += carried_[nlocal].impulse;
 }

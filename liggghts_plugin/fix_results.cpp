@@ -4,6 +4,7 @@
 #include "fix_bond_parallel.h"
 
 #include "atom.h"
+#include "comm.h"
 #include "error.h"
 #include "modify.h"
 #include "update.h"
@@ -24,12 +25,14 @@ using frazil::SnapshotFile;
 /* ---------------------------------------------------------------------- */
 
 FixResults::FixResults(LAMMPS* lmp, int narg, char** arg)
-    : Fix(lmp, narg, arg), file_("particles.h5"), bonds_(NULL), fluid_(NULL), fragment_(NULL), writtenAt_(-1)
+    : Fix(lmp, narg, arg), file_("particles.h5"), bonds_(NULL), fluid_(NULL), fragment_(NULL), writtenAt_(-1),
+      timeBefore_(0), restartTime_(-1)
 {
     if (narg < 4) stop("syntax: fix ID group results N [file F] [bonds FIX] [fluid FIX] [fragment COMPUTE]");
     nevery = atoi(arg[3]);
     if (nevery <= 0) stop(std::string("the number of steps between snapshots is '") + arg[3] + "', must be above 0");
     readKeywords(narg - 4, arg + 4);
+    restart_global = 1;
 }
 
 FixResults::~FixResults() {}
@@ -79,6 +82,9 @@ void FixResults::init()
 
 void FixResults::setup(int)
 {
+    if (restartTime_ >= 0)
+        timeBefore_ = restartTime_ - (time() - timeBefore_); // only now is the time step known
+    restartTime_ = -1;
     if (!snapshots_) openFile();
     if (update->ntimestep % nevery == 0) write();
     announce(update->ntimestep + nevery - update->ntimestep % nevery);
@@ -107,7 +113,23 @@ void FixResults::end_of_step() { write(); }
 
 /* ---------------------------------------------------------------------- */
 
-double FixResults::time() const { return update->atime + (update->ntimestep - update->atimestep) * update->dt; }
+double FixResults::time() const
+{
+    return timeBefore_ + update->atime + (update->ntimestep - update->atimestep) * update->dt;
+}
+
+/// The host's clock starts anew at a restart, at zero.
+void FixResults::write_restart(FILE* file)
+{
+    const double now = time();
+    if (comm->me)
+        return;
+    const int size = sizeof now;
+    fwrite(&size, sizeof size, 1, file);
+    fwrite(&now, sizeof now, 1, file);
+}
+
+void FixResults::restart(char* buffer) { memcpy(&restartTime_, buffer, sizeof restartTime_); }
 
 void FixResults::write()
 {

@@ -31,6 +31,8 @@ public:
     void init();
     void setup(int);
     void end_of_step();
+    void write_restart(FILE*);
+    void restart(char*);
 
 private:
     // per-particle columns of one snapshot, contiguous per array
@@ -66,6 +68,8 @@ private:
     std::vector<int> members_; // local indices of the group
     std::vector<Column> columns_;
     bigint writtenAt_;
+    double timeBefore_;  // what the host's clock forgot at a restart [s]
+    double restartTime_; // of the restart file, until the first run knows the time step; otherwise -1 [s]
 };
 
 } // namespace LAMMPS_NS

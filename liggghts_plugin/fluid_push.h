@@ -7,7 +7,8 @@
    and the stock integrator, which computes f/m, takes f = m a. It is stable for any K and any ma, also where ma > m
    (a light sphere). The reaction that the fluid receives is what the integrator really applied: f - F - P.
    Torque: I dw/dt = T + C (W - w), w the spin, likewise.
-   A sphere that no integrator moves has a = 0: it feels P + K (uf - v) + ma Du/Dt.
+   A sphere whose motion is prescribed feels P + K (uf - v) + ma (Du/Dt - a) with that motion's a; one that nobody
+   moves, or that is towed at constant velocity, has a = 0.
    Cost: about 60 flops. Source: Auton, Hunt & Prud'homme 1988 for the added mass. */
 
 #ifndef FRAZIL_FLUID_PUSH_H
@@ -26,9 +27,10 @@ inline Vec3 reactionOnMoving(const Interaction &fluid, const Vec3 &other, const 
   return driving - (ma + K * dt) * a;
 }
 
-inline Vec3 reactionOnHeld(const Interaction &fluid, const Vec3 &v)
+// the same on a sphere that performs the acceleration a [m/s2] whatever the force
+inline Vec3 reactionOnPrescribed(const Interaction &fluid, const Vec3 &v, const Vec3 &a)
 {
-  return fluid.dragCoefficient * (fluid.fluidVelocity - v) + fluid.addedMass * fluid.fluidAcceleration;
+  return fluid.dragCoefficient * (fluid.fluidVelocity - v) + fluid.addedMass * (fluid.fluidAcceleration - a);
 }
 
 // torque [N m] on a sphere of moment of inertia I [kg m2], spin w [rad/s], under the other torques [N m]
@@ -37,6 +39,12 @@ inline Vec3 torqueOnMoving(const Interaction &fluid, const Vec3 &other, const Ve
   const double C = fluid.spinCoefficient;
   const Vec3 driving = C * (fluid.fluidSpin - w);
   return driving - (C * dt / (I + C * dt)) * (other + driving);
+}
+
+// the same on a sphere that no torque turns
+inline Vec3 torqueOnPrescribed(const Interaction &fluid, const Vec3 &w)
+{
+  return fluid.spinCoefficient * (fluid.fluidSpin - w);
 }
 
 }

@@ -1,6 +1,4 @@
-/* The tables of styles are private members of Modify and Input. The arguments of an explicit template
-   instantiation are exempt from access control [temp.spec], so a friend function defined by that
-   instantiation may return the pointer to the private member: no header is edited, no layout is guessed. */
+/* The tables of styles are private members of Modify and Input: private_member.h. */
 
 #include "register_styles.h"
 
@@ -14,6 +12,7 @@
 #include "fix_results.h"
 #include "input.h"
 #include "modify.h"
+#include "private_member.h"
 
 using namespace LAMMPS_NS;
 
@@ -22,10 +21,6 @@ namespace {
 typedef Fix *(*FixCreator)(LAMMPS *, int, char **);
 typedef Compute *(*ComputeCreator)(LAMMPS *, int, int, char **);
 typedef void (*CommandCreator)(LAMMPS *, int, char **);
-
-template <class Tag, typename Tag::Member member> struct Reach {
-  friend typename Tag::Member memberOf(Tag) { return member; }
-};
 
 struct FixMap {
   typedef std::map<std::string, FixCreator> *Modify::*Member;
@@ -40,9 +35,9 @@ struct CommandMap {
   friend Member memberOf(CommandMap);
 };
 
-template struct Reach<FixMap, &Modify::fix_map>;
-template struct Reach<ComputeMap, &Modify::compute_map>;
-template struct Reach<CommandMap, &Input::command_map>;
+template struct PrivateMember<FixMap, &Modify::fix_map>;
+template struct PrivateMember<ComputeMap, &Modify::compute_map>;
+template struct PrivateMember<CommandMap, &Input::command_map>;
 
 template <class T> Fix *newFix(LAMMPS *lmp, int narg, char **arg) { return new T(lmp, narg, arg); }
 

@@ -36,7 +36,7 @@ class DemLink : public Link
     void sendBodies(const std::vector<BodyState>& bodies) { sendList(bodyTag, bodies); }
     /// One reply per record of the last sendParticles, in its order.
     void receiveReplies(std::vector<ParticleReply>& replies);
-    /// In the order of the states sent last.
+    /// In any order: each load has its body's name. None, if the fluid has not computed any yet.
     std::vector<BodyLoad> receiveBodyLoads();
     /// Ends the coupling unless it has ended: waits for the partner's next swap and tells it. Then goodbye.
     /// @param time  DEM time [s]

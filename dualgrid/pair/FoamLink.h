@@ -29,7 +29,7 @@ class FoamLink : public Link
     std::vector<BodyState> receiveBodies();
     /// One reply per particle of the inbox, in its order.
     void sendReplies(const std::vector<ParticleReply>& replies);
-    /// In the order of the states received last. Only rank 0's loads count (so sum them over the fluid ranks).
+    /// In any order, each with its body's name. Only rank 0's loads count (so sum them over the fluid ranks).
     void sendBodyLoads(const std::vector<BodyLoad>& loads) { sendList(loadTag, loads); }
     /// Ends the coupling unless it has ended: waits for the partner's next swap and tells it. Then goodbye.
     /// @param time     fluid time [s]

@@ -15,7 +15,7 @@ namespace frazil
 {
 
 /// Version of the messages; raised when a record or its meaning changes.
-constexpr std::int64_t messageVersion = 1;
+constexpr std::int64_t messageVersion = 2;
 
 struct BodyHello {
     std::string name;

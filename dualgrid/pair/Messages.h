@@ -60,6 +60,7 @@ struct BodyLoad {
     Vec3 force;             ///< [N], buoyancy included
     Vec3 torque;            ///< about the centre of mass [N m]
     double wetFraction = 0; ///< share of the body's volume below water [-]
+    char name[64] = {};     ///< of the BodyState: the two programs list their bodies in orders of their own
 };
 
 } // namespace frazil

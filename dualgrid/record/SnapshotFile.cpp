@@ -28,13 +28,30 @@ const char* attributeType(int components)
         return "Scalar";
     case 3:
         return "Vector";
-    case 6:
-        return "Tensor6";
     case 9:
         return "Tensor";
     default:
         return "Matrix";
     }
+}
+
+/// Symmetric tensors made full; `storage` holds their values.
+/// Not written as Tensor6: of its six components VTK's two XDMF readers, both in ParaView, make different tensors.
+std::vector<SnapshotArray> withFullTensors(std::vector<SnapshotArray> arrays, std::int64_t count,
+                                           std::vector<std::vector<double>>& storage)
+{
+    static const int place[9] = {0, 3, 4, 3, 1, 5, 4, 5, 2}; // of xx xy xz yx yy yz zx zy zz in xx yy zz xy xz yz
+    for (SnapshotArray& array : arrays) {
+        if (array.components != 6)
+            continue;
+        storage.emplace_back();
+        for (std::int64_t n = 0; n < count; ++n)
+            for (const int component : place)
+                storage.back().push_back(array.values[6 * n + component]);
+        array.components = 9;
+        array.values = storage.back().data();
+    }
+    return arrays;
 }
 
 std::string dataItem(const std::string& dimensions, const char* type, const std::string& reference)
@@ -180,7 +197,8 @@ std::string SnapshotFile::writeRows(const std::string& series, const std::vector
 {
     const Share share = shareOf(count, comm_);
     std::string xdmf;
-    for (const SnapshotArray& array : arrays) {
+    std::vector<std::vector<double>> tensors;
+    for (const SnapshotArray& array : withFullTensors(arrays, count, tensors)) {
         writeDataset(group_, array.name, H5T_NATIVE_DOUBLE, rows(share, count, array.components), array.values);
         xdmf += attribute(array, centre, std::to_string(share.total), reference(series, array.name));
     }
@@ -285,7 +303,10 @@ void SnapshotFile::coarse(const std::string& series, const CoarseGrid& grid, con
         "<DataItem Dimensions=\"3\" NumberType=\"Float\" Format=\"XML\">{:.12g} {:.12g} "
         "{:.12g}</DataItem></Geometry>\n",
         n[2] + 1, n[1] + 1, n[0] + 1, origin.z, origin.y, origin.x, grid.cellSize(), grid.cellSize(), grid.cellSize());
-    for (const SnapshotArray& array : arrays) {
+    const std::int64_t count =
+        std::int64_t(block.hi[0] - block.lo[0]) * (block.hi[1] - block.lo[1]) * (block.hi[2] - block.lo[2]);
+    std::vector<std::vector<double>> tensors;
+    for (const SnapshotArray& array : withFullTensors(arrays, count, tensors)) {
         Hyperslab slab;
         for (int a = 2; a >= 0; --a) {
             slab.whole.push_back(n[a]);

@@ -27,7 +27,8 @@
 namespace frazil
 {
 
-/// `components` doubles per particle, bond or cell: 1 scalar, 3 vector, 6 symmetric tensor (xx yy zz xy xz yz).
+/// `components` doubles per particle, bond or cell: 1 scalar, 3 vector, 6 symmetric tensor (xx yy zz xy xz yz),
+/// which is written as the full one (xx xy xz yx yy yz zx zy zz), 9 full tensor.
 struct SnapshotArray {
     std::string name;
     int components;

@@ -6,7 +6,10 @@
 #include "zeroGradientFvPatchFields.H"
 #include "Time.H"
 
+#include <cstddef>
+#include <cstdio>
 #include <cstring>
+#include <stdexcept>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -29,6 +32,31 @@ frazil::Phase phase(const Foam::dictionary& transport, const Foam::label n)
     const scalar rho = dimensionedScalar("rho", dimDensity, dict).value();
     const scalar nu = dimensionedScalar("nu", dimViscosity, dict).value();
     return {rho, rho*nu};
+}
+
+
+//- Loads in the order of our bodies, with the names by which frazilDem finds its own
+std::vector<frazil::BodyLoad> named
+(
+    std::vector<frazil::BodyLoad> loads,
+    const std::vector<frazil::BodyHello>& bodies
+)
+{
+    if (!loads.empty() && loads.size() != bodies.size())
+    {
+        throw std::runtime_error
+        (
+            "there are loads of " + std::to_string(loads.size()) + " bodies, but "
+          + std::to_string(bodies.size()) + " bodies. If uniform/bodyLoads in "
+            "the start time's folder is that of other bodies, remove it"
+        );
+    }
+    for (std::size_t i = 0; i < loads.size(); ++i)
+    {
+        frazil::BodyLoad& load = loads[i];
+        std::snprintf(load.name, sizeof load.name, "%s", bodies[i].name.c_str());
+    }
+    return loads;
 }
 
 } // End anonymous namespace
@@ -132,7 +160,7 @@ Foam::fluidCoupling::fluidCoupling
                 bodyHellos()
             )
         );
-        exchange_->setBodyLoads(loadsRead());
+        exchange_->setBodyLoads(named(loadsRead(), bodyHellos()));
     }
     else
     {
@@ -251,20 +279,30 @@ void Foam::fluidCoupling::update()
 
 void Foam::fluidCoupling::endStep(const std::vector<frazil::BodyLoad>& loads)
 {
-    static_assert(sizeof(frazil::BodyLoad) == loadWords*sizeof(scalar), "a load is a row of numbers");
     bodyLoads_.setSize(loadWords*label(loads.size()));
-    std::memcpy(bodyLoads_.data(), loads.data(), loads.size()*sizeof(frazil::BodyLoad));
+    for (std::size_t i = 0; i < loads.size(); ++i)
+    {
+        std::memcpy(bodyLoads_.data() + loadWords*i, &loads[i], loadWords*sizeof(scalar));
+    }
     if (exchange_)
     {
-        exchange_->setBodyLoads(loads);
+        exchange_->setBodyLoads(named(loads, bodyHellos()));
     }
 }
 
 
 std::vector<frazil::BodyLoad> Foam::fluidCoupling::loadsRead() const
 {
+    static_assert
+    (
+        offsetof(frazil::BodyLoad, name) == loadWords*sizeof(scalar),
+        "a load is a row of numbers, then the name"
+    );
     std::vector<frazil::BodyLoad> loads(bodyLoads_.size()/loadWords);
-    std::memcpy(static_cast<void*>(loads.data()), bodyLoads_.cdata(), loads.size()*sizeof(frazil::BodyLoad));
+    for (std::size_t i = 0; i < loads.size(); ++i)
+    {
+        std::memcpy(static_cast<void*>(&loads[i]), bodyLoads_.cdata() + loadWords*i, loadWords*sizeof(scalar));
+    }
     return loads;
 }
 

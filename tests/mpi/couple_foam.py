@@ -49,6 +49,12 @@ set group all density 1000 diameter 0.02"""
 MOVE = "fix integr all nve/sphere\n"
 COUPLE = "fix foam all couple/foam restart r.*\n"
 
+BODY = """
+fix hull all mesh/surface/stress file box.stl type 1
+fix wall all wall/gran model hertz tangential history mesh n_meshes 1 meshes hull
+fix ball all body/rigid mesh hull density 1000
+"""
+
 PRINT = """
 compute v all property/atom vx
 compute vmin all reduce min c_v
@@ -179,14 +185,11 @@ class Runs(Case):
 
         v = F/m (0.2 s - the first fluid step); without the load of the file one step less."""
         volume, load = box(Path(self.folder.name, "box.stl"), 0.02), 0.004
-        body = ("fix hull all mesh/surface/stress file box.stl type 1\n"
-                "fix wall all wall/gran model hertz tangential history mesh n_meshes 1 meshes hull\n"
-                "fix ball all body/rigid mesh hull density 1000\n")
         show = PRINT.replace("f_foam[1] f_foam[3]", "f_ball[4] f_ball[20]")
         fluid = {"body": "ball", "volume": volume, "load": load}
-        whole = self.final(self.run_pair(body + MOVE + COUPLE + show + "run 2000\n", written=100, **fluid))
+        whole = self.final(self.run_pair(BODY + MOVE + COUPLE + show + "run 2000\n", written=100, **fluid))
         self.near(whole["time"], load / (1000 * volume) * 0.199, 1e-2 * DT)
-        run = self.run_pair(body + MOVE + COUPLE + show + "run 1000\n", start="read_restart r.1000", start_time=0.1,
+        run = self.run_pair(BODY + MOVE + COUPLE + show + "run 1000\n", start="read_restart r.1000", start_time=0.1,
                             steps=100, **fluid)
         self.near(self.final(run)["time"], whole["time"], 1e-12)
 
@@ -249,6 +252,12 @@ class Errors(Case):
         """A particle is lost: error->all, which ends in MPI_Finalize and exit."""
         self.refused(MOVE + COUPLE + PRINT + "run 2000\n", "ERROR: Lost atoms", "frazilDem failed (fluid time",
                      "frazilFoam ends", u=100, K=1)
+
+    def test_the_load_of_another_body(self):
+        """Loads go to bodies by name, whatever their order; one that fits none is not given to another."""
+        volume = box(Path(self.folder.name, "box.stl"), 0.02)
+        self.refused(BODY + MOVE + COUPLE + "run 2000\n", "sent the load of a body cone, which the script does not have",
+                     body="ball", volume=volume, load_of="cone")
 
     def test_no_partner(self):
         Path(self.folder.name, "in.test").write_text(HEAD.format(start=FRESH) + COUPLE)

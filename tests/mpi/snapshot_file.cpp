@@ -133,6 +133,34 @@ TEST(SnapshotFile, WritesAppendsAndReplaces)
     MPI_Barrier(MPI_COMM_WORLD);
 }
 
+TEST(SnapshotFile, SymmetricTensorsAreWrittenInFull)
+{
+    const int rank = rankIn(MPI_COMM_WORLD), ranks = ranksIn(MPI_COMM_WORLD);
+    const CoarseGrid grid(Box{{0, 0, 0}, {5, 4, 3}}, 1, ranks, {0, 0, -9.81});
+    const std::vector<double> given = {11, 22, 33, 12, 13, 23}, full = {11, 12, 13, 12, 22, 23, 13, 23, 33};
+    std::vector<double> cells;
+    for (int c = 0; c < LocalCells(grid, rank).ownedCount(); ++c)
+        cells.insert(cells.end(), given.begin(), given.end());
+    const Vec3 position{double(rank), 0, 0};
+    SnapshotFile file(path, MPI_COMM_WORLD);
+    file.begin(0, 0);
+    file.particles("particles", {rank + 1}, &position, {{"stress", 6, given.data()}});
+    file.bonds("bonds", {{rank + 1, 1}}, {{"stress", 6, given.data()}});
+    file.coarse("coarse", grid, {{"stress", 6, cells.data()}});
+    file.end();
+    if (rank == 0) {
+        for (const char* series : {"/particles", "/bonds", "/coarse"}) {
+            const auto stress = read<double>(series + std::string("/000000000000/stress"), H5T_NATIVE_DOUBLE);
+            EXPECT_EQ(stress.size() % 9, 0u) << series;
+            for (std::size_t n = 0; n < stress.size(); ++n)
+                EXPECT_EQ(stress[n], full[n % 9]) << series;
+        }
+        EXPECT_EQ(countIn(xdmf(), "AttributeType=\"Tensor\""), 3);
+        EXPECT_EQ(countIn(xdmf(), "AttributeType=\"Tensor6\""), 0);
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+}
+
 TEST(SnapshotFile, SaysWhatItCannotWrite)
 {
     try {

@@ -3,7 +3,8 @@
 /// With `echo=1` (partner: toy_dem) each reply repeats what came in, so that the partner can check that it is its own.
 /// Else every particle gets drag K (times its exposure) towards `u`, added mass `ma` with fluid acceleration `dudt`,
 /// and the passive force `passive`, all along x; the impulse that the particles report is summed up and printed at the
-/// end. A body `body` of volume `volume` gets the force `load` along x, from the second exchange on, as from frazilFoam.
+/// end. A body `body` of volume `volume` gets the force `load` along x, from the second exchange on, as from frazilFoam,
+/// under its name or that of `load_of`.
 /// fails=exit|finalize|abort|throw|hang at=STEP: how it leaves early. late=SECONDS: comes to the handshake
 /// late. quiet ends: steps, or the partner's end.
 #include <cstdio>
@@ -131,12 +132,12 @@ int main(int argc, char** argv)
         const std::vector<BodyState> bodies = link.receiveBodies();
         std::vector<BodyLoad> loads;
         for (const BodyState& body : bodies) {
-            if (arguments.number("echo", 0)) {
-                loads.emplace_back();
-                loads.back().force.y = 2 * body.velocity.y;
-            } else if (step > 0) {
-                loads.emplace_back();
-                loads.back().force.x = arguments.number("load", 0);
+            BodyLoad load;
+            const std::string& name = arguments.word("load_of");
+            std::snprintf(load.name, sizeof load.name, "%s", name.empty() ? body.name : name.c_str());
+            load.force = {arguments.number("load", 0), 2 * body.velocity.y, 0};
+            if (arguments.number("echo", 0) || step > 0) {
+                loads.push_back(load);
             }
         }
         link.sendReplies(replies);

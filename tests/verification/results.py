@@ -8,6 +8,7 @@ except ImportError:
     sys.exit(77)  # CTest: skipped
 
 EVERY = 7
+ASKEW = unit([1, 2, 3])
 
 
 def script(more, thermo=1000):
@@ -29,6 +30,37 @@ def stress_of_its_step(check):
                     check.near(f"stress of sphere {i}, step {step}, {ranks} ranks", found[i], reference, 1e-12)
 
 
+def full_tensor(check):
+    """Nine components in the file, of the six in the bond fix's array; two spheres bonded askew have six different ones."""
+    columns = " ".join(f"f_bonds[{n}]" for n in range(3, 9))
+    motion = f"fix out all results {EVERY} bonds bonds\n" + dump("d", EVERY, columns)
+    run = check.run(script(motion).replace(vec([-R, 0, 0]), vec(scaled(ASKEW, -R))).replace(vec([R, 0, 0]), vec(scaled(ASKEW, R))))
+    with h5py.File(os.path.join(run.folder, "particles.h5")) as results:
+        group = results[f"particles/{5 * EVERY:012d}"]
+        found = dict(zip(group["id"][:], group["stress"][:]))
+    for i, (xx, yy, zz, xy, xz, yz) in run.rows("d", 5 * EVERY).items():
+        check.true(f"nine components of sphere {i}", list(found[i]) == [xx, xy, xz, xy, yy, yz, xz, yz, zz], str(found[i]))
+        check.true(f"six of them differ, sphere {i}", len({round(value, 3) for value in found[i]}) == 6)
+    with open(os.path.join(run.folder, "particles.xdmf")) as file:
+        check.true("XDMF type", 'Name="stress" AttributeType="Tensor"' in file.read())
+
+
+def times_after_a_restart(check):
+    """Steps count on; so does the time, also from a restart file that a continued run wrote."""
+    fixes = bond() + f"fix nve all nve/sphere\nfix out all results {EVERY} bonds bonds\n"
+    text = head() + MODEL + spheres([[-R, 0, 0], [R, 0, 0]]) + "timestep 1e-7\n" + fixes
+    run = check.run(text + f"run {EVERY}\nwrite_restart once\n")
+    for file, steps in (("once", 2), ("twice", 1)):
+        text = f"atom_style granular\nboundary f f f\nnewton off\ncommunicate single vel yes\nread_restart {file}\n"
+        text += "neighbor 0.0005 bin\nneigh_modify delay 0\n" + MODEL + "timestep 1e-7\n" + fixes
+        check.run(text + f"run {steps * EVERY}\nwrite_restart twice\n", folder=run.folder)
+    with h5py.File(os.path.join(run.folder, "particles.h5")) as results:
+        times = {int(step): group.attrs["time"] for step, group in results["particles"].items()}
+    check.true("steps over two restarts", sorted(times) == [n * EVERY for n in range(5)], str(sorted(times)))
+    for step, time in times.items():
+        check.near(f"time of step {step}", time, step * 1e-7, 1e-12, scale=1e-7)
+
+
 def bad_input(check):
     for keyword, style in (("fluid", "nve/sphere"), ("bonds", "nve/sphere")):
         run = check.run(script(f"fix out all results {EVERY} {keyword} nve\n"), ranks=2, expect_failure=True)
@@ -47,6 +79,8 @@ def failure_of_one_rank(check):
 
 check = Check()
 stress_of_its_step(check)
+full_tensor(check)
+times_after_a_restart(check)
 bad_input(check)
 failure_of_one_rank(check)
 check.finish()
