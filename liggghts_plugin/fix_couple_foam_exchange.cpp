@@ -85,7 +85,7 @@ void FixCoupleFoam::exchange()
   const double start = MPI_Wtime();
   const frazil::StepOrder order = link_->swap(report());
   checkClock(order);
-  lastDeltaT_ = first_ ? 0 : order_.deltaT;
+  if (exchangeStep_ >= 0) lastDeltaT_ = order_.deltaT;
   order_ = order;
   exchangeStep_ = update->ntimestep;
   if (order.written && !restartFile_.empty()) {
