@@ -246,6 +246,10 @@ tmp<surfaceScalarField> openVolume::potentialFlux
         dimensionedScalar("unit", dimTime/dimDensity, 1.0)
     );
     const tmp<surfaceScalarField> conductance(faceCoefficient(unit));
+
+    // In a tank without an outlet the level is free: held in one cell of all, as setRefCell does. Held on every rank,
+    // volume would flow between the ranks' cells
+    const label refCell = Pstream::master() ? 0 : -1;
     tmp<surfaceScalarField> tflux(new surfaceScalarField("potentialFlux", 0*wholeFlux_()));
 
     while (pimple.correctNonOrthogonal())
@@ -257,7 +261,7 @@ tmp<surfaceScalarField> openVolume::potentialFlux
         }
         pcorrEqn.source() -= demand;
         anchorPressure(pcorrEqn, pcorr, unit);
-        pcorrEqn.setReference(0, 0);
+        pcorrEqn.setReference(refCell, 0);
         pcorrEqn.solve(mesh_.solver(pcorr.select(pimple.finalNonOrthogonalIter())));
 
         if (pimple.finalNonOrthogonalIter())
