@@ -106,6 +106,12 @@ void Foam::particleReaction::predict(const volVectorField& U)
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::particleReaction::applied() const
+{
+    return force_.primitiveField() + (held_ - prediction_.primitiveField())/mesh_.time().deltaTValue();
+}
+
+
 Foam::vector Foam::particleReaction::ahead() const
 {
     return gSum(mesh_.V()*prediction_.primitiveField());

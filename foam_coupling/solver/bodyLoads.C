@@ -23,43 +23,61 @@ scalar faceValue(const surfaceScalarField& sf, const label facei)
 }
 
 
-//- Does a body touch the cell or one of its faces over the step?
-bool touched(const immersedBodies& bodies, const label celli)
+//- p_f S_f of a cell's face, S_f out of the cell [N]
+vector outwardPressure(const surfaceScalarField& pf, const label facei, const label celli)
+{
+    const fvMesh& mesh = pf.mesh();
+    const scalar sign = mesh.faceOwner()[facei] == celli ? 1 : -1;
+    return sign*faceValue(pf, facei)*mesh.faceAreas()[facei];
+}
+
+
+//- Σ of a force and of its moment
+struct resultant
+{
+    vector force = Zero;
+    vector torque = Zero;
+
+    void add(const vector& f, const vector& arm)
+    {
+        force += f;
+        torque += arm ^ f;
+    }
+};
+
+
+//- -Σ p_f S_f of a cell, at its faces
+void addPressure(const surfaceScalarField& pf, const label celli, const point& centre, resultant& load)
+{
+    for (const label facei : pf.mesh().cells()[celli])
+    {
+        load.add(-outwardPressure(pf, facei, celli), pf.mesh().faceCentres()[facei] - centre);
+    }
+}
+
+} // End anonymous namespace
+
+
+bool touchedByBody(const immersedBodies& bodies, const label celli)
 {
     bool open = bodies.gamma()[celli] <= 0;
     for (const label facei : bodies.gamma().mesh().cells()[celli])
     {
         open = open && faceValue(bodies.theta(), facei) >= 1;
     }
-    return !open;
+    return !open && bodies.bodyOf()[celli] >= 0;
 }
 
 
-//- What the pressure around a cell gives to the fluid and the fluid does not take, (1 - γ) V ∇p - Σ p_f S_f [N]
-void pressureOn
-(
-    const surfaceScalarField& pf,
-    const vector& fluidShare,
-    const label celli,
-    const point& centre,
-    vector& force,
-    vector& torque
-)
+vector pressureNotTaken(const surfaceScalarField& pf, const vector& taken, const label celli)
 {
-    const fvMesh& mesh = pf.mesh();
-    force += fluidShare;
-    torque += (mesh.C()[celli] - centre) ^ fluidShare;
-
-    for (const label facei : mesh.cells()[celli])
+    vector sum(taken);
+    for (const label facei : pf.mesh().cells()[celli])
     {
-        const scalar sign = mesh.faceOwner()[facei] == celli ? 1 : -1;
-        const vector f(sign*faceValue(pf, facei)*mesh.faceAreas()[facei]);
-        force -= f;
-        torque -= (mesh.faceCentres()[facei] - centre) ^ f;
+        sum -= outwardPressure(pf, facei, celli);
     }
+    return sum;
 }
-
-} // End anonymous namespace
 
 
 std::vector<frazil::BodyLoad> bodyLoads
@@ -67,45 +85,38 @@ std::vector<frazil::BodyLoad> bodyLoads
     const immersedBodies& bodies,
     const volScalarField& p,
     const volVectorField& gradP,
-    const volVectorField& blending,
-    const volVectorField& viscous,
+    const volVectorField& stress,
+    const volVectorField& byBodies,
     const volScalarField& alpha1,
     const vector& up
 )
 {
     const fvMesh& mesh = p.mesh();
+    const volScalarField& gamma = bodies.gamma();
     const surfaceScalarField pf(fvc::interpolate(p));
     std::vector<frazil::BodyLoad> loads;
 
     for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
     {
-        const bodyCut& cut = bodies.cutOf(bodyi);
         const point centre = bodies.centre(bodyi);
-        vector force(Zero);
-        vector torque(Zero);
-
-        forAll(cut.cells, i)
+        resultant load;
+        for (const label celli : bodies.cutOf(bodyi).cells)
         {
-            const label celli = cut.cells[i];
-            const scalar V = mesh.V()[celli];
-
-            if (bodies.bodyOf()[celli] != bodyi || !touched(bodies, celli))
+            if (bodies.bodyOf()[celli] != bodyi)
             {
                 continue;
             }
-            pressureOn(pf, (1 - bodies.gamma()[celli])*V*gradP[celli], celli, centre, force, torque);
-
-            vector other(-V*blending[celli]);
-            if (!bodies.slip(bodyi))
+            vector inCell(-byBodies[celli]);
+            if (touchedByBody(bodies, celli))
             {
-                other += cut.share[i]*V*viscous[celli];
+                inCell += (1 - gamma[celli])*gradP[celli] + gamma[celli]*stress[celli];
+                addPressure(pf, celli, centre, load);
             }
-            force += other;
-            torque += (mesh.C()[celli] - centre) ^ other;
+            load.add(mesh.V()[celli]*inCell, mesh.C()[celli] - centre);
         }
 
-        reduce(force, sumOp<vector>());
-        reduce(torque, sumOp<vector>());
+        const vector force = returnReduce(load.force, sumOp<vector>());
+        const vector torque = returnReduce(load.torque, sumOp<vector>());
         const scalar wet = bodies.wetFraction(bodyi, alpha1, up);
         loads.push_back({{force.x(), force.y(), force.z()}, {torque.x(), torque.y(), torque.z()}, wet});
 

@@ -26,6 +26,7 @@ Description
 #include "bodyLoads.H"
 #include "flowAtParticles.H"
 #include "fluidCoupling.H"
+#include "momentumBudget.H"
 #include "openVolume.H"
 #include "program.H"
 
@@ -51,6 +52,7 @@ int main(int argc, char *argv[])
 
     turbulence->validate();
     openVolume open(mesh);
+    momentumBudget momentum(open);
     #include "createCoupling.H"
 
     if (!LTS)
@@ -122,6 +124,11 @@ int main(int argc, char *argv[])
             while (pimple.correct())
             {
                 #include "pEqn.H"
+            }
+
+            if (open.active() && pimple.finalIter())
+            {
+                momentum.evaluate(UEqn, U);
             }
 
             if (pimple.turbCorr())

@@ -167,8 +167,6 @@ void openVolume::use
     end_ = cellField("epsilonEnd", mesh_, one);
     solid_ = cellField("solid", mesh_, dimensionedScalar(dimless, Zero));
     small_ = cellField("small", mesh_, dimensionedScalar(dimless, Zero));
-    anchor_ = cellField("anchor", mesh_, dimensionedVector(dimVelocity, Zero));
-    blending_ = cellField("blending", mesh_, dimensionedVector(dimForce/dimVolume, Zero));
     faces_.reset(new surfaceScalarField("openFaces", fvc::interpolate(one*end_())));
     merged_.reset(new surfaceScalarField("mergedFaces", 0*faces_()));
     cuttingFlux_.reset(new surfaceScalarField("cuttingFlux", 0*phi));
@@ -248,6 +246,10 @@ tmp<surfaceScalarField> openVolume::potentialFlux
         dimensionedScalar("unit", dimTime/dimDensity, 1.0)
     );
     const tmp<surfaceScalarField> conductance(faceCoefficient(unit));
+
+    // In a tank without an outlet the level is free: held in one cell of all, as setRefCell does. Held on every rank,
+    // volume would flow between the ranks' cells
+    const label refCell = Pstream::master() ? 0 : -1;
     tmp<surfaceScalarField> tflux(new surfaceScalarField("potentialFlux", 0*wholeFlux_()));
 
     while (pimple.correctNonOrthogonal())
@@ -259,7 +261,7 @@ tmp<surfaceScalarField> openVolume::potentialFlux
         }
         pcorrEqn.source() -= demand;
         anchorPressure(pcorrEqn, pcorr, unit);
-        pcorrEqn.setReference(0, 0);
+        pcorrEqn.setReference(refCell, 0);
         pcorrEqn.solve(mesh_.solver(pcorr.select(pimple.finalNonOrthogonalIter())));
 
         if (pimple.finalNonOrthogonalIter())
@@ -334,6 +336,16 @@ const volScalarField& openVolume::density(const volScalarField& rho)
     rhoE_().oldTime() == start_()*rho.oldTime();
     rhoE_() == end_()*rho;
     return rhoE_();
+}
+
+
+tmp<vectorField> openVolume::momentumChange(const volVectorField& U) const
+{
+    return
+        (
+            rhoE_().primitiveField()*U.primitiveField()
+          - rhoE_().oldTime().primitiveField()*U.oldTime().primitiveField()
+        )/mesh_.time().deltaTValue();
 }
 
 
@@ -475,12 +487,11 @@ scalar openVolume::courantNumber(const surfaceScalarField& phi) const
 }
 
 
-void openVolume::anchor(fvVectorMatrix& UEqn, const volScalarField& rho, const volVectorField& U)
+void openVolume::anchor(fvVectorMatrix& UEqn, const volScalarField& rho, const volVectorField& U) const
 {
     if (bodies_)
     {
         const volScalarField coefficient(anchoring()*rho/mesh_.time().deltaT());
-        anchor_() == U;
         UEqn += fvm::Sp(coefficient, U) - coefficient*U;
     }
 }
@@ -594,7 +605,7 @@ tmp<scalarField> openVolume::closedAtEnd() const
 }
 
 
-void openVolume::blendWithBodies(volVectorField& U, const volScalarField& rho)
+void openVolume::blendWithBodies(volVectorField& U) const
 {
     if (!active() || !bodies_)
     {
@@ -605,9 +616,7 @@ void openVolume::blendWithBodies(volVectorField& U, const volScalarField& rho)
 
     // 0 where half of the cell is open, 1 where less than a tenth is
     const volScalarField weight(min(max((0.5 - (1.0 - bodies_->gamma()))/0.4, scalar(0)), scalar(1)));
-    const volVectorField change(weight*bodies_->constrained(bodies_->Ub() - U));
-    blending_() == rho/mesh_.time().deltaT()*(end_()*change + anchoring()*(1.0 - solid_())*(anchor_() - U));
-    U += change;
+    U += weight*bodies_->constrained(bodies_->Ub() - U);
     U.correctBoundaryConditions();
 }
 

@@ -106,7 +106,11 @@ solvers
     "p_rgh.*" { solver PCG; preconditioner DIC; tolerance 1e-7; relTol 0.001; maxIter 500; }
     "U.*" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-9; relTol 0; }
 }
-PIMPLE { momentumPredictor yes; nOuterCorrectors 1; nCorrectors 3; nNonOrthogonalCorrectors 0; }
+PIMPLE
+{
+    momentumPredictor yes; nOuterCorrectors 1; nCorrectors 3; nNonOrthogonalCorrectors 0;
+    pRefCell 0; pRefValue 0;
+}
 relaxationFactors { equations { ".*" 1; } }
 """
 
@@ -137,7 +141,7 @@ forces { drag DiFelice; pressureGradient on; viscous on; addedMass on; rotationa
 
 
 def write_case(case, mesh, surface_y, times, bodies, gravity=9.81, top="open", sigma=0.0725, extra=""):
-    """A tank of water up to surface_y [m] (None: full) with an open top and the bodies' dictionary text."""
+    """A tank of water up to surface_y [m] (None: full) with an open or closed top and the bodies' dictionary text."""
     case = pathlib.Path(case)
     write(case / "system/blockMeshDict", mesh)
     write(case / "system/fvSchemes", SCHEMES)
@@ -149,16 +153,19 @@ def write_case(case, mesh, surface_y, times, bodies, gravity=9.81, top="open", s
     write(case / "constant/g", f"dimensions [0 1 -2 0 0 0 0]; value (0 {-gravity} 0);\n", "uniformDimensionedVectorField")
     write(case / "constant/couplingProperties", f"coupling off;\n{LEFT}bodies {{ {bodies} }}\n{extra}")
     air_inlet = 1 if surface_y is None else 0
-    patches = "top {{ {} }} walls {{ {} }}"
-    write(case / "0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); boundaryField { "
-          + patches.format("type pressureInletOutletVelocity; value uniform (0 0 0);", "type slip;") + " }\n",
-          "volVectorField")
-    write(case / "0/p_rgh", "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; boundaryField { "
-          + patches.format("type totalPressure; p0 uniform 0;", "type fixedFluxPressure; value uniform 0;") + " }\n",
-          "volScalarField")
-    write(case / "0/alpha.water", f"dimensions [0 0 0 0 0 0 0]; internalField uniform {air_inlet}; boundaryField {{ "
-          + patches.format(f"type inletOutlet; inletValue uniform {air_inlet}; value uniform {air_inlet};",
-                           "type zeroGradient;") + " }\n", "volScalarField")
+    slip, flux, gradient = "type slip;", "type fixedFluxPressure; value uniform 0;", "type zeroGradient;"
+    at_top = {
+        "open": ("type pressureInletOutletVelocity; value uniform (0 0 0);", "type totalPressure; p0 uniform 0;",
+                 f"type inletOutlet; inletValue uniform {air_inlet}; value uniform {air_inlet};"),
+        "closed": (slip, flux, gradient),
+    }[top]
+    patches = "boundaryField {{ top {{ {} }} walls {{ {} }} }}\n"
+    write(case / "0/U", "dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0); "
+          + patches.format(at_top[0], slip), "volVectorField")
+    write(case / "0/p_rgh", "dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0; "
+          + patches.format(at_top[1], flux), "volScalarField")
+    write(case / "0/alpha.water", f"dimensions [0 0 0 0 0 0 0]; internalField uniform {air_inlet}; "
+          + patches.format(at_top[2], gradient), "volScalarField")
     if surface_y is not None:
         write(case / "system/setFieldsDict", f"""defaultFieldValues (volScalarFieldValue alpha.water 0);
 regions (boxToCell {{ box (-10 -10 -10) (10 {surface_y} 10); fieldValues (volScalarFieldValue alpha.water 1); }});

@@ -1,0 +1,164 @@
+#include "momentumBudget.H"
+#include "bodyLoads.H"
+#include "immersedBodies.H"
+#include "openVolume.H"
+
+namespace Foam
+{
+
+namespace
+{
+
+//- Σ over the domain's boundary of weight times what a matrix takes out of the cells there
+vector throughBoundary(const fvVectorMatrix& M, const volVectorField& U, const scalarField& weight)
+{
+    vector sum(Zero);
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& pU = U.boundaryField()[patchi];
+        if (pU.coupled())
+        {
+            continue;
+        }
+        const labelUList& cells = pU.patch().faceCells();
+        forAll(pU, i)
+        {
+            const vector& inside = U[cells[i]];
+            sum += weight[cells[i]]
+               *(cmptMultiply(M.internalCoeffs()[patchi][i], inside) - M.boundaryCoeffs()[patchi][i]);
+        }
+    }
+    return returnReduce(sum, sumOp<vector>());
+}
+
+
+//- Σ p S over the domain's boundary [N]
+vector pressureOnBoundary(const surfaceScalarField& pf)
+{
+    const fvMesh& mesh = pf.mesh();
+    vector sum(Zero);
+    forAll(pf.boundaryField(), patchi)
+    {
+        const fvsPatchScalarField& ppf = pf.boundaryField()[patchi];
+        if (!ppf.coupled() && ppf.size())
+        {
+            sum += Foam::sum(ppf*mesh.Sf().boundaryField()[patchi]);
+        }
+    }
+    return returnReduce(sum, sumOp<vector>());
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+momentumBudget::momentumBudget(const openVolume& open)
+:
+    open_(open),
+    outflow_(Zero)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const tmp<fvVectorMatrix>& momentumBudget::keepStress(const tmp<fvVectorMatrix>& tviscous)
+{
+    if (open_.active())
+    {
+        viscous_.reset(new fvVectorMatrix(tviscous()));
+    }
+    return tviscous;
+}
+
+
+void momentumBudget::keep(const fvVectorMatrix& UEqn)
+{
+    if (open_.active())
+    {
+        diag_ = UEqn.diag();
+        source_ = UEqn.source();
+    }
+}
+
+
+void momentumBudget::evaluate(const fvVectorMatrix& UEqn, const volVectorField& U)
+{
+    const scalarField& V = U.mesh().V();
+
+    stress_.reset((-(viscous_() & U)).ptr());
+    inertia_.reset((UEqn & U).ptr());
+    inertia_().primitiveFieldRef() -=
+        ((UEqn.diag() - diag_)*U.primitiveField() - (UEqn.source() - source_))/V;
+    outflow_ =
+        throughBoundary(UEqn, U, scalarField(V.size(), 1))
+      - throughBoundary(viscous_(), U, open_.fraction().primitiveField());
+}
+
+
+void momentumBudget::balance(const fluidForces& forces)
+{
+    byBodies_.reset
+    (
+        (inertia_() - open_.fraction()*(forces.weight() + forces.tension() - forces.gradP())).ptr()
+    );
+    byBodies_().primitiveFieldRef() -= forces.particles;
+}
+
+
+void momentumBudget::report
+(
+    const volVectorField& U,
+    const volScalarField& p,
+    const fluidForces& forces,
+    const immersedBodies* bodies,
+    const std::vector<frazil::BodyLoad>& loads
+) const
+{
+    const fvMesh& mesh = U.mesh();
+    const scalarField& V = mesh.V();
+    const vectorField& gradP = forces.gradP().primitiveField();
+    const vectorField& stress = stress_().primitiveField();
+    const scalarField& epsilon = open_.fraction().primitiveField();
+    const surfaceScalarField pf(fvc::interpolate(p));
+
+    scalarField outside(V.size(), 1);  // 1 - γ
+    vector splitting(Zero);
+    vector gradient(Zero);
+    forAll(V, celli)
+    {
+        if (bodies)
+        {
+            outside[celli] -= bodies->gamma()[celli];
+        }
+        if (!bodies || bodies->bodyOf()[celli] < 0)
+        {
+            splitting += V[celli]*byBodies_()[celli];
+        }
+        if (!bodies || !touchedByBody(*bodies, celli))
+        {
+            gradient += pressureNotTaken(pf, outside[celli]*V[celli]*gradP[celli], celli);
+        }
+    }
+    reduce(splitting, sumOp<vector>());
+    reduce(gradient, sumOp<vector>());
+
+    vector onBodies(Zero);
+    for (const frazil::BodyLoad& load : loads)
+    {
+        onBodies += vector(load.force[0], load.force[1], load.force[2]);
+    }
+
+    const vector change = gSum(V*open_.momentumChange(U));
+    const vector boundary = gSum(V*stress) - outflow_ - pressureOnBoundary(pf);
+    const vector weight = gSum(V*epsilon*forces.weight().primitiveField());
+    const vector tension = gSum(V*epsilon*forces.tension().primitiveField());
+    const vector particles = gSum(V*(forces.particles - (outside - epsilon)*(stress - gradP)));
+    const vector error = change - boundary - weight - tension - particles + onBodies - splitting + gradient;
+
+    Info<< "Momentum budget: change " << change << " boundary " << boundary << " weight " << weight
+        << " tension " << tension << " particles " << particles << " bodies " << -onBodies
+        << " splitting " << splitting << " gradient " << -gradient << " error " << error << endl;
+}
+
+} // End namespace Foam
