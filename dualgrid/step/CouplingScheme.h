@@ -50,6 +50,12 @@ struct FineSource {
     }
 };
 
+/// Impulse that waits in a coarse cell without fluid.
+struct CarriedImpulse {
+    std::int64_t cell; ///< global id
+    Vec3 impulse;      ///< [N s]
+};
+
 struct CouplingSettings {
     ProlongationSettings prolongation;
     double smallestFluidFraction = 0.25; ///< αf never falls below [-]
@@ -61,7 +67,8 @@ class CouplingScheme
   public:
     CouplingScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
                    LocalCells cells)
-        : cells(std::move(cells)), settings_(settings), forces_(std::move(forces)), water_(water), air_(air)
+        : cells(std::move(cells)), settings_(settings), forces_(std::move(forces)), water_(water), air_(air),
+          carried_(this->cells.ownedCount())
     {
     }
     virtual ~CouplingScheme() = default;
@@ -70,6 +77,25 @@ class CouplingScheme
     virtual void setLocator(std::function<int(const Vec3&)> fineCellAt) = 0;
     virtual Ledger advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
                            std::vector<Interaction>& replies, FineSource& source) = 0;
+
+    /// What waits in this rank's cells, for a restart file; and back from there, any cells.
+    std::vector<CarriedImpulse> carried() const
+    {
+        std::vector<CarriedImpulse> waiting;
+        for (int c = 0; c < cells.ownedCount(); ++c) {
+            if (norm(carried_[c]) > 0)
+                waiting.push_back({cells.global(c), carried_[c]});
+        }
+        return waiting;
+    }
+    void setCarried(const std::vector<CarriedImpulse>& waiting)
+    {
+        for (const CarriedImpulse& one : waiting) {
+            const int c = cells.local(one.cell);
+            if (c >= 0 && c < cells.ownedCount())
+                carried_[c] = one.impulse;
+        }
+    }
 
     LocalCells cells;
     CoarseField<double> solidVolume; ///< [m3]
@@ -81,6 +107,7 @@ class CouplingScheme
     const CouplingSettings settings_;
     const ForceModel forces_;
     const Phase water_, air_;
+    std::vector<Vec3> carried_; ///< per owned cell: impulse that found no fluid yet [N s]
 };
 
 inline double volumeOf(double radius)

@@ -69,6 +69,10 @@ class CouplingStep
     Ledger advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
                    std::vector<Interaction>& replies, FineSource& source);
 
+    /// Impulse that waits for fluid (restart): this rank's, and back, of any ranks.
+    std::vector<CarriedImpulse> carried() const { return scheme_->carried(); }
+    void setCarried(const std::vector<CarriedImpulse>& waiting) { scheme_->setCarried(waiting); }
+
     // Coarse fields of the last advance(), for output; ownedCount() own cells come first. dualGrid off: no fluid().
     const LocalCells& cells() const { return scheme_->cells; }
     /// Σ V_p in the cell, what was clipped excluded [m3]

@@ -26,7 +26,7 @@ template <class Item> std::vector<std::size_t> orderById(const std::vector<Item>
 DirectScheme::DirectScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
                            const CoarseGrid& grid, MPI_Comm comm)
     : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), comm_(comm),
-      router_(comm), holders_(cells.ownedCount()), carried_(cells.ownedCount())
+      router_(comm), holders_(cells.ownedCount())
 {
     fluid.reset(cells);
 }
@@ -192,7 +192,7 @@ void DirectScheme::fitSolid(const FineFlow& flow, FineSource& source, Ledger& le
             ++ledger.clippedCells;
             solid = room;
         }
-        solid /= open;
+        solid = open > 0 ? solid / open : 0; // a body may cover the cell in the coming step
     }
 }
 

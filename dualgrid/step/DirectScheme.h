@@ -60,7 +60,6 @@ class DirectScheme : public CouplingScheme
     Router router_;
     std::function<int(const Vec3&)> fineCellAt_;
     std::vector<std::vector<int>> holders_; ///< per owned coarse cell: ranks with fine cells in it, ascending
-    std::vector<Vec3> carried_;             ///< per owned coarse cell [N s]
     std::vector<ResponseSums> sums_;        ///< per fine cell
 };
 

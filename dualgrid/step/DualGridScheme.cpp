@@ -37,7 +37,7 @@ DualGridScheme::DualGridScheme(const CouplingSettings& settings, ForceModel forc
                                const Phase& air, const Vec3& gravity, const CoarseGrid& grid, MPI_Comm comm)
     : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), gravity_(gravity),
       comm_(comm), plan_(cells, comm), solidProlongation_(settings.prolongation),
-      forceProlongation_(settings.prolongation), filled_(cells), carried_(cells.ownedCount())
+      forceProlongation_(settings.prolongation), filled_(cells)
 {
 }
 

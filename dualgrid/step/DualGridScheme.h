@@ -106,7 +106,6 @@ class DualGridScheme : public CouplingScheme
     CoarseField<double> scalarMoment_;
     CoarseField<Vec3> vectorMoment_;
     CoarseField<Reaction> reaction_;
-    std::vector<Vec3> carried_;    ///< per owned cell: impulse that found no fluid yet [N s]
     std::vector<Place> places_;    ///< per particle
     std::vector<double> density_;  ///< per fine cell: what a prolonged value is per, 1/m3 of it
     std::vector<Vec3> forceParts_; ///< per part [N]

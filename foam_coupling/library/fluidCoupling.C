@@ -198,8 +198,14 @@ std::vector<frazil::BodyHello> Foam::fluidCoupling::bodyHellos() const
 }
 
 
-void Foam::fluidCoupling::updateParticles()
+void Foam::fluidCoupling::updateParticles(const flowOnParticles& flow)
 {
+    scalarField open;
+    if (bodies_.valid())
+    {
+        open = 1.0 - bodies_->gamma().primitiveField();
+    }
+    exchange_->advance(flow, open, vec3(reaction_.ahead()));
     const frazil::FineSource& source = exchange_->source();
 
     // Trigger the storage of the old value before the new one comes in
@@ -244,30 +250,31 @@ Foam::scalar Foam::fluidCoupling::demDeltaT() const
 }
 
 
-Foam::scalar Foam::fluidCoupling::beginStep
-(
-    const flowOnParticles& flow,
-    const scalar deltaT
-)
+Foam::scalar Foam::fluidCoupling::beginStep(const scalar deltaT)
 {
-    deltaT_ = deltaT;
-    if (exchange_)
-    {
-        deltaT_ = exchange_->exchange(flow, deltaT, vec3(reaction_.ahead()));
-    }
+    deltaT_ = exchange_ ? exchange_->agree(deltaT) : deltaT;
     return deltaT_;
 }
 
 
-void Foam::fluidCoupling::update()
+void Foam::fluidCoupling::update(const flowOnParticles& flow)
 {
+    std::vector<frazil::BodyState> states;
     if (exchange_)
     {
-        updateParticles();
+        states = exchange_->receive();
+    }
+    else if (motion_)
+    {
+        states = motion_->states();
     }
     if (bodies_.valid())
     {
-        updateBodies(exchange_ ? exchange_->bodyStates() : motion_->states());
+        updateBodies(states);
+    }
+    if (exchange_)
+    {
+        updateParticles(flow);
     }
     if (motion_)
     {

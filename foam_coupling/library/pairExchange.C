@@ -212,7 +212,7 @@ void Foam::pairExchange::writeCoarse()
         velocity[cell] = fluid[cell].velocity();
     }
 
-    snapshots_->begin(mesh_.time().timeIndex(), mesh_.time().value());
+    snapshots_->begin(coarseIndex_, order_.time);
     snapshots_->coarse
     (
         "coarse",
@@ -263,15 +263,17 @@ frazil::StepOrder Foam::pairExchange::order(const scalar deltaT)
 }
 
 
-frazil::FineFlow Foam::pairExchange::fineFlow(const flowOnParticles& flow) const
+frazil::FineFlow Foam::pairExchange::fineFlow
+(
+    const flowOnParticles& flow,
+    const scalarField& open
+) const
 {
-    // openFraction stays unset: αs is a share of the whole cell, so that a
-    // body that passes between the particles squeezes none of their volume
-    // out of the coarse cell (it would be clipped there)
     frazil::FineFlow fine;
     fine.count = mesh_.nCells();
     fine.volume = mesh_.V().cdata();
     fine.fluidFraction = flow.fluidShare.cdata();
+    fine.openFraction = open.empty() ? nullptr : open.cdata();
     fine.density = flow.rho.cdata();
     fine.wetFraction = flow.alpha1.cdata();
     fine.velocity = asVec3(flow.U);
@@ -313,12 +315,25 @@ Foam::pairExchange::pairExchange
     (
         mesh.time().timeIndex() > 0 && std::filesystem::exists("ledger.csv")
     ),
+    carriedImpulse_
+    (
+        IOobject
+        (
+            "carriedImpulse",
+            mesh.time().timeName(),
+            "uniform",
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
     startTime_(wallTime())
 {
     const scalar watchdog = settings.positive("watchdog", 600);
     settings.finish();
 
     cutFineCells();
+    takeCarried();
     step_.setLocator
     (
         [&mesh](const frazil::Vec3& p)
@@ -373,25 +388,36 @@ void Foam::pairExchange::learnKeys(const frazil::Settings& settings)
 }
 
 
-Foam::scalar Foam::pairExchange::exchange
+Foam::scalar Foam::pairExchange::agree(const scalar deltaT)
+{
+    const double start = wallTime();
+    order_ = order(deltaT);
+    writesCoarse_ = mesh_.time().writeTime() || mesh_.time().timeIndex() == 0;
+    coarseIndex_ = mesh_.time().timeIndex();
+    report_ = link_.swap(order_);
+    exchangeTime_ += wallTime() - start;
+    return report_.finish ? 0 : order_.deltaT;
+}
+
+
+const std::vector<frazil::BodyState>& Foam::pairExchange::receive()
+{
+    const double start = wallTime();
+    particles_ = &link_.receiveParticles();
+    bodyStates_ = link_.receiveBodies();
+    exchangeTime_ += wallTime() - start;
+    return bodyStates_;
+}
+
+
+void Foam::pairExchange::advance
 (
     const flowOnParticles& flow,
-    const scalar deltaT,
+    const scalarField& open,
     const frazil::Vec3& held
 )
 {
     const double start = wallTime();
-
-    const frazil::StepOrder step = order(deltaT);
-    const frazil::StepReport report = link_.swap(step);
-    if (report.finish)
-    {
-        return 0;
-    }
-
-    const frazil::ParticleInbox& particles = link_.receiveParticles();
-    bodyStates_ = link_.receiveBodies();
-
     if (mesh_.changing())
     {
         cutFineCells();
@@ -399,26 +425,65 @@ Foam::scalar Foam::pairExchange::exchange
 
     frazil::Ledger ledger = step_.advance
     (
-        particles.view(), fineFlow(flow), step.deltaT, replies_, source_
+        particles_->view(), fineFlow(flow, open), order_.deltaT, replies_, source_
     );
     ledger.held = held;
 
     link_.sendReplies(replies_);
     link_.sendBodyLoads(bodyLoads_);
 
-    const std::string columns = transport(report, particles.view());
+    const std::string columns = transport(report_, particles_->view());
     if (ledger_.valid())
     {
-        ledger_() << ledger.csvLine(step.time).c_str() << columns.c_str() << endl;
+        ledger_() << ledger.csvLine(order_.time).c_str() << columns.c_str() << endl;
     }
+    keepCarried(ledger);
 
-    if (mesh_.time().writeTime() || mesh_.time().timeIndex() == 0)
+    if (writesCoarse_)
     {
         writeCoarse();
     }
 
     exchangeTime_ += wallTime() - start;
-    return step.deltaT;
+}
+
+
+void Foam::pairExchange::keepCarried(const frazil::Ledger& ledger)
+{
+    if (!(norm(ledger.unplaced) > 0))
+    {
+        carriedImpulse_.clear();
+        return;
+    }
+    List<scalarList> rows(Pstream::nProcs());
+    DynamicList<scalar> mine;
+    for (const frazil::CarriedImpulse& waiting : step_.carried())
+    {
+        for (const scalar word : {scalar(waiting.cell), waiting.impulse.x, waiting.impulse.y, waiting.impulse.z})
+        {
+            mine.append(word);
+        }
+    }
+    rows[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(rows);
+    Pstream::scatterList(rows);
+    carriedImpulse_.clear();
+    for (const scalarList& row : rows)
+    {
+        carriedImpulse_.append(row);
+    }
+}
+
+
+void Foam::pairExchange::takeCarried()
+{
+    std::vector<frazil::CarriedImpulse> waiting;
+    for (label row = 0; row + carriedWords <= carriedImpulse_.size(); row += carriedWords)
+    {
+        const scalar* word = carriedImpulse_.cdata() + row;
+        waiting.push_back({std::int64_t(word[0]), {word[1], word[2], word[3]}});
+    }
+    step_.setCarried(waiting);
 }
 
 

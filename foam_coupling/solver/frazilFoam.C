@@ -86,6 +86,7 @@ int main(int argc, char *argv[])
             }
         }
 
+        autoPtr<flowOnParticles> flow;
         if (coupling.valid())
         {
             #include "beginStep.H"
@@ -97,7 +98,7 @@ int main(int argc, char *argv[])
 
         if (coupling.valid())
         {
-            coupling->update();
+            coupling->update(flow());
             open.update();
             open.correctFlux(phi, p_rgh, pimple);
         }

@@ -286,15 +286,7 @@ void openVolume::correctFlux
 
     if (bodies_)
     {
-        const surfaceScalarField rigid((1.0 - bodies_->theta())*(fvc::interpolate(bodies_->Ub()) & mesh_.Sf()));
-        const scalarField covered(mesh_.V()*fvc::div(rigid)().primitiveField());
-        cuttingFlux_() = potentialFlux
-        (
-            nullptr,
-            (1.0 - solid_().primitiveField())*(sweptVolume() + covered),
-            p_rgh,
-            pimple
-        );
+        cuttingFlux_() = potentialFlux(nullptr, cuttingDemand(), p_rgh, pimple);
     }
 }
 
@@ -302,6 +294,17 @@ void openVolume::correctFlux
 scalarField openVolume::sweptVolume() const
 {
     return mesh_.V()*(start_().primitiveField() - end_().primitiveField())/mesh_.time().deltaTValue();
+}
+
+
+scalarField openVolume::cuttingDemand() const
+{
+    const surfaceScalarField rigid((1.0 - bodies_->theta())*(fvc::interpolate(bodies_->Ub()) & mesh_.Sf()));
+    const volScalarField& gamma = bodies_->gamma();
+    const scalarField cut((gamma.primitiveField() - gamma.oldTime().primitiveField())/mesh_.time().deltaTValue());
+    return
+        (1.0 - solid_().primitiveField())*fluidFraction_->primitiveField()*mesh_.V()
+       *(cut + fvc::div(rigid)().primitiveField());
 }
 
 
