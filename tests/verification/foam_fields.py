@@ -6,7 +6,9 @@ import re
 import numpy as np
 
 # Values per entry and numpy type of what OpenFOAM writes as a list (labels of 32, scalars of 64 bits)
-KINDS = {"label": (1, "<i4"), "scalar": (1, "<f8"), "vector": (3, "<f8"), "symmTensor": (6, "<f8"), "tensor": (9, "<f8")}
+KINDS = {
+    "label": (1, "<i4"), "scalar": (1, "<f8"), "vector": (3, "<f8"), "symmTensor": (6, "<f8"), "tensor": (9, "<f8")
+}
 
 FIELD_BLOCK = re.compile(rb"\buniform\s+([^;]+);|\bnonuniform\s+List<(\w+)>\s*(\d+)(?:\s*\(|;)")
 BARE_LIST = re.compile(rb"\n(\d+)\s*\(")

@@ -5,9 +5,9 @@ Usage: stock_foam.py FRAZILFOAM INTERFOAM_HERE WORK_FOLDER NAME...    names of s
 
 Every field and mesh file that the programs leave is compared with those of
 - interFoamHere, OpenFOAM's interFoam.C built as frazilFoam is, at the end time. Measured: 0, bit for bit;
-- interFoam as installed, serial, after the first steps of cases whose cells are aligned with the axes. On others Debian's
-  binary is wrong (FindOpenFOAM.cmake), and later or on more ranks the compilers' different rounding changes a number of
-  iterations, hence the fields by the solvers' tolerance. Measured: at most 4e-11.
+- interFoam as installed, serial, after the first steps of cases whose cells are aligned with the axes. On others
+  Debian's binary is wrong (FindOpenFOAM.cmake), and later or on more ranks the compilers' different rounding changes a
+  number of iterations, hence the fields by the solvers' tolerance. Measured: at most 4e-11.
 A step that fails stops the test with the end of its log.
 """
 
