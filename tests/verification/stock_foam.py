@@ -143,8 +143,8 @@ def main():
     if unknown or not names:
         raise SystemExit(f"unknown case {sorted(unknown)}; known: {', '.join(CASES)}")
 
-    # Debian's libraries trap floating-point exceptions of values that they read past the end of a list and do not use;
-    # a run that diverges shows as a value that is no number
+    # Debian's libraries read a value past the end of some lists (valgrind shows it in sqr); what lies there must not end
+    # a run. One that diverges shows as values that are no numbers
     os.environ["FOAM_SIGFPE"] = "false"
     results = [check(name, programs, work / name) for name in names]
     sys.exit(not all(results))
