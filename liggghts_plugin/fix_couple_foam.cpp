@@ -144,6 +144,10 @@ void FixCoupleFoam::findPartners()
   for (int i = 0; i < modify->nfix; i++)
     if (CoupledBody *body = dynamic_cast<CoupledBody *>(modify->fix[i])) bodies_.push_back(body);
 
+  bonds_.clear();
+  for (int i = 0; i < modify->nfix; i++)
+    if (!strcmp(modify->fix[i]->style, "bond/parallel")) bonds_.push_back(modify->fix[i]);
+
   shielding_ = NULL;
   if (shieldingId_.empty()) return;
   shielding_ = modify->find_fix_id(shieldingId_.c_str());

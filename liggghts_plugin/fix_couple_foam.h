@@ -85,6 +85,7 @@ class FixCoupleFoam : public Fix {
   bool leftBox(const double *x) const;
   void noteMotion(int i);
   frazil::ParticleMotion motionOf(int i);
+  bool isLoose(int i) const;
   void gatherRecords();
   void sendBodies();
   void takeReplies();
@@ -113,6 +114,7 @@ class FixCoupleFoam : public Fix {
   std::unique_ptr<class CouplingHistory> history_;
   std::vector<class CoupledBody *> bodies_;
   class Fix *shielding_;
+  std::vector<class Fix *> bonds_;  // every fix bond/parallel
   ParticleMotion motion_;
 
   frazil::StepOrder order_;  // of the fluid step being taken

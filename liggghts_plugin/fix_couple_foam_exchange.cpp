@@ -188,6 +188,14 @@ void FixCoupleFoam::gatherRecords()
   first_ = false;
 }
 
+// bonds answer to a force as springs do, so that the forces of the last step say nothing of those of the next
+bool FixCoupleFoam::isLoose(int i) const
+{
+  for (const Fix *bonds : bonds_)
+    if (bonds->array_atom[i][0] > 0) return false;
+  return true;
+}
+
 /* ----------------------------------------------------------------------
    how the particle moved over the fluid step that ends, for the prediction of its answer to the pressure. The pressure
    that acts now was made by the step that ends, from the volume that moved in the step before; so its acceleration is
@@ -198,7 +206,7 @@ frazil::ParticleMotion FixCoupleFoam::motionOf(int i)
 {
   Carried &p = carried_[i];
   frazil::ParticleMotion motion;
-  motion.mass = motion_.free(atom->mask[i]) ? atom->rmass[i] : 0;
+  motion.mass = motion_.free(atom->mask[i]) && isLoose(i) ? atom->rmass[i] : 0;
   motion.displacing = p.age < ramp_ ? p.age / ramp_ : 1;
   if (first_ || p.age == 0) {
     p.speed[0] = p.speed[1] = vec(atom->v[i]);

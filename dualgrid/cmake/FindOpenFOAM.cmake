@@ -78,11 +78,18 @@ foreach(name
     endif()
 endforeach()
 
+# OpenFOAM declares the operands of its field loops __restrict__, yet `a & b` of two temporaries writes its result into
+# b's memory. A compiler that believes it and vectorises (g++ 12 with -O3) computes products of tensors and vectors from
+# overwritten components: U on any mesh whose cells are not aligned with the axes. Without the word, loops are vectorised
+# behind a check of the addresses. The libraries as installed may have the fault; a sourced one can be built with -O2.
+set(noFalsePromise "__restrict__=")
+
 # Run-time selection lives in static objects of libraries that no symbol refers to, hence --no-as-needed.
 add_library(OpenFOAM::finiteVolume INTERFACE IMPORTED GLOBAL)
 set_target_properties(OpenFOAM::finiteVolume PROPERTIES
     INTERFACE_INCLUDE_DIRECTORIES "${includes}"
-    INTERFACE_COMPILE_DEFINITIONS "WM_${precision};WM_LABEL_SIZE=${labelSize};NoRepository;OPENFOAM=${api};OMPI_SKIP_MPICXX"
+    INTERFACE_COMPILE_DEFINITIONS
+        "WM_${precision};WM_LABEL_SIZE=${labelSize};NoRepository;OPENFOAM=${api};OMPI_SKIP_MPICXX;${noFalsePromise}"
     INTERFACE_COMPILE_OPTIONS "-ftemplate-depth-100"
     INTERFACE_LINK_LIBRARIES "-Wl,--no-as-needed;${libraries};dl;m")
 set(OpenFOAM_FOUND TRUE)

@@ -46,7 +46,12 @@ int main(int argc, char *argv[])
     #include "createDyMControls.H"
     #include "createFields.H"
     #include "createAlphaFluxes.H"
-    const surfaceScalarField phiAtStart("phiAtStart", phi);
+    // Not registered: a refined mesh would map it and warn of it at every change
+    const surfaceScalarField phiAtStart
+    (
+        IOobject("phiAtStart", runTime.timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
+        phi
+    );
     #include "initCorrectPhi.H"
     #include "createUfIfPresent.H"
 

@@ -65,16 +65,3 @@ def last_time(folder):
     """Name of the last time folder."""
     names = [p.name for p in pathlib.Path(folder).iterdir() if re.fullmatch(r"[0-9.e+-]+", p.name)]
     return max(names, key=float)
-
-
-def difference(folder, other):
-    """Greatest difference of any field of two time folders, relative to the field's greatest value."""
-    worst = {}
-    for path in sorted(p for p in pathlib.Path(folder).iterdir() if p.is_file()):
-        mine, theirs = lists(path), lists(pathlib.Path(other) / path.name)
-        if [len(x) for x in mine] != [len(x) for x in theirs]:
-            raise SystemExit(f"{path} and {other}: different number of values")
-        scale = max((abs(v) for block in mine for v in block), default=0) or 1
-        gaps = (abs(a - b) for x, y in zip(mine, theirs) for a, b in zip(x, y))
-        worst[path.name] = max(gaps, default=0)/scale
-    return worst
