@@ -86,21 +86,20 @@ typename Prolongation<T>::Surroundings Prolongation<T>::lookAround(const LocalCe
                                                                    const CoarseField<T>& value,
                                                                    const CoarseField<double>& weight) const
 {
-    Surroundings around{{}, value[cell], value[cell], {}, {}};
-    int shared[8] = {};
+    Surroundings around{};
+    double shared[8] = {};
     const CellIndex c = cells.grid().index(cells.global(cell));
     for (int n = 0; n < 27; ++n) {
         const int d[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
         const int neighbour = cells.local(CellIndex{c[0] + d[0], c[1] + d[1], c[2] + d[2]});
         if (neighbour < 0 || !(weight[neighbour] > 0))
             continue;
-        widen(around.lowestCell, around.highestCell, value[neighbour]);
         for (int k = 0; k < 8; ++k) {
             const int side[3] = {k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1};
             if (d[0] == -side[0] || d[1] == -side[1] || d[2] == -side[2])
                 continue;
-            around.corner[k] += value[neighbour];
-            ++shared[k];
+            around.corner[k] += weight[neighbour] * value[neighbour];
+            shared[k] += weight[neighbour];
         }
     }
     for (int k = 0; k < 8; ++k)
@@ -145,8 +144,8 @@ T Prolongation<T>::slopeFactor(const Surroundings& around, const T& value, const
         const double v = component(value, i), m = component(mean, i);
         double low = lowest, high = highest;
         if (settings_.limitToCells) {
-            low = std::max(low, component(around.lowestCell, i));
-            high = std::min(high, component(around.highestCell, i));
+            low = std::max(low, std::min(v, component(around.lowestCorner, i)));
+            high = std::min(high, std::max(v, component(around.highestCorner, i)));
         }
         const double up = std::max(0.0, component(around.highestCorner, i) - m);
         const double down = std::max(0.0, m - component(around.lowestCorner, i));

@@ -1,13 +1,15 @@
 /// Coarse grid -> fine mesh: inverse distance from the coarse nodes (2.25, 2.23), made conservative and bounded.
 ///
-///   node:        φ_n = mean of φ_c over the cells that share the node and hold fluid    (2.25, equal distances)
+///   node:        φ_n = Σ W_c φ_c / Σ W_c over the cells that share the node             (2.25, equal distances)
 ///   part:        r_p = Σ_8 w φ_n / Σ w,  w = 1/|x_p - x_n|^exponent;  on a node: φ_n    (2.23)
 ///   correction:  φ_p = φ_c + ψ_c (r_p - r_c),  r_c = Σ r_p W_p / Σ W_p over the parts of the coarse cell
 ///
 /// Inverse distance alone does not conserve. With r_c taken out, Σ φ_p W_p = φ_c Σ W_p holds in every coarse cell to
 /// round-off, for any slope factor 0 <= ψ_c <= 1; and ψ_c, the largest that keeps φ_p within bounds, costs no iteration
-/// and clips nothing. Bounds: the given physical ones, and with limiter `cell` also the range of the 27 cells around
-/// (the study's gradient-limited interpolation). W_p: what the value is per: open volume for αs, fluid mass for an
+/// and clips nothing. Bounds: the given physical ones, and with limiter `cell` also the range of the cell and its
+/// nodes, so of the 27 cells around (the study's gradient-limited interpolation). Node values are weighted by W_c: a cell
+/// in which a trace of water appears must not count at once as much as a full one.
+/// W_p: what the value is per: open volume for αs, fluid mass for an
 /// acceleration, so that air is not pushed as if it were water.
 /// A fine cell that straddles coarse cells has a part in each, so it averages over all of them.
 /// Cost: only coarse cells with a value; per part 8 distances. Parallel: the caller completes `moment` over the halo
@@ -26,7 +28,7 @@ namespace frazil
 
 struct ProlongationSettings {
     double exponent = 2;      ///< [-]
-    bool limitToCells = true; ///< keep values within the range of the cells around
+    bool limitToCells = true; ///< keep values within the range of the cell and its nodes
 };
 
 /// Weights [-] of the eight corners (x fastest) of a coarse cell for a point [m] in it, sum 1.
@@ -57,7 +59,7 @@ template <class T> class Prolongation
     /// What the cells around one coarse cell allow.
     struct Surroundings {
         std::array<T, 8> corner;
-        T lowestCell, highestCell, lowestCorner, highestCorner;
+        T lowestCorner, highestCorner;
     };
     Surroundings lookAround(const LocalCells& cells, int cell, const CoarseField<T>& value,
                             const CoarseField<double>& weight) const;

@@ -35,21 +35,6 @@ void finish(CoarsePhase& phase, double cellVolume)
     phase.accelerated *= scale;
 }
 
-void add(CoarsePush& sum, double volume, const Vec3& pressureGradient, const Vec3& viscousForce)
-{
-    sum.volume += volume;
-    sum.pressureGradient += volume * pressureGradient;
-    sum.viscousForce += volume * viscousForce;
-}
-
-void finish(CoarsePush& push, double cellVolume)
-{
-    if (!(push.volume > nothing * nothing * cellVolume))
-        return;
-    push.pressureGradient *= 1 / push.volume;
-    push.viscousForce *= 1 / push.volume;
-}
-
 } // namespace
 
 void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells& cells, CoarseField<CoarseFluid>& sums)
@@ -87,32 +72,35 @@ void finishAverages(CoarseFluid& cell, double cellVolume)
     finish(cell.air, cellVolume);
 }
 
-void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveForces& forces, const double* wetSolid,
-                  const double* drySolid, const LocalCells& cells, CoarseField<SolidLoad>& sums)
+void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveForces& forces, const double* solid,
+                  const LocalCells& cells, CoarseField<SolidLoad>& sums)
 {
     sums.reset(cells);
-    std::size_t p = 0;
     for (int row = 0; row < parts.rows(); ++row) {
         SolidLoad& sum = sums[parts.coarseCell(row)];
-        for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part, ++p) {
-            const double wet = wetSolid[p], dry = drySolid[p];
-            if (!(wet > 0 || dry > 0))
+        for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part, ++solid) {
+            const double volume = *solid;
+            if (!(volume > 0))
                 continue;
             const int f = part->fineCell;
-            const Vec3 gradient = forces.pressureGradient ? flow.pressureGradient[f] : Vec3{};
-            const Vec3 viscous = forces.viscous ? flow.viscousForce[f] : Vec3{};
-            const Vec3 weight = forces.pressureGradient ? flow.density[f] * forces.gravity : Vec3{};
-            add(sum.wet, wet, gradient - weight, viscous);
-            add(sum.dry, dry, gradient - weight, viscous);
-            sum.carried += (wet + dry) * (viscous - gradient);
+            sum.volume += volume;
+            if (forces.pressureGradient) {
+                sum.pressureGradient += volume * (flow.pressureGradient[f] - flow.density[f] * forces.gravity);
+                sum.displaced += volume * flow.density[f];
+            }
+            if (forces.viscous)
+                sum.viscousForce += volume * flow.viscousForce[f];
         }
+        sum.carried = sum.viscousForce - sum.pressureGradient;
     }
 }
 
 void finishAverages(SolidLoad& cell, double cellVolume)
 {
-    finish(cell.wet, cellVolume);
-    finish(cell.dry, cellVolume);
+    if (!(cell.volume > nothing * nothing * cellVolume))
+        return;
+    cell.pressureGradient *= 1 / cell.volume;
+    cell.viscousForce *= 1 / cell.volume;
 }
 
 } // namespace frazil

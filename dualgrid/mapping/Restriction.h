@@ -74,16 +74,14 @@ struct CoarseFluid {
     double density() const { return hasFluid() ? fluidMass / fluidVolume : 0; }
 };
 
-/// What the fluid's equations do to the solid in one coarse cell, by the fluid that it is in. Sums, then averages.
-struct CoarsePush {
-    double volume = 0;     ///< Σ αs α V of the solid in this fluid [m3]
+/// What the fluid's equations do to the solid in a coarse cell: means over its fine cells by their αs. The weight, ρ g, is
+/// not in it. Doubles only.
+struct SolidLoad {
+    double volume = 0;     ///< Σ αs V [m3]; here and below: sums, then averages
     Vec3 pressureGradient; ///< ∇p - ρ g [Pa/m]
     Vec3 viscousForce;     ///< ∇·τ [N/m3]
-};
-
-struct SolidLoad {
-    CoarsePush wet, dry;
-    Vec3 carried; ///< Σ αs (-∇p + ∇·τ) V, with the weight; a sum, always [N]
+    Vec3 carried;          ///< Σ αs (-∇p + ρ g + ∇·τ) V; a sum, always [N]
+    double displaced = 0;  ///< Σ αs ρ V; a sum, always [kg]
 };
 
 /// Which of the passive forces the particles feel, and gravity [m/s2]
@@ -99,9 +97,9 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells
 void finishAverages(CoarseFluid& cell, double cellVolume);
 
 /// The same for what the fluid carries of the solid.
-/// @param wetSolid, drySolid  volume of the solid in water and in air, per part [m3]
-void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveForces& forces, const double* wetSolid,
-                  const double* drySolid, const LocalCells& cells, CoarseField<SolidLoad>& sums);
+/// @param solid  volume of the solid per part [m3]
+void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveForces& forces, const double* solid,
+                  const LocalCells& cells, CoarseField<SolidLoad>& sums);
 void finishAverages(SolidLoad& cell, double cellVolume);
 
 } // namespace frazil

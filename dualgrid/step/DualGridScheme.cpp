@@ -68,6 +68,7 @@ Ledger DualGridScheme::advance(const ParticleView& particles, const FineFlow& fl
     spreadReaction(particles, replies);           // particles -> coarse: drag and added mass
     prolongForce(flow, deltaT, source, ledger);   // coarse -> fine: force on the fluid
     prolongReaction(flow, source);                // coarse -> fine: drag and added mass
+    returnWeight(particles, flow, source, ledger); // to all of the fluid
     ledger.addFine(flow, source.solidFraction, source.force, deltaT);
     ledger.sumOver(comm_);
     return ledger;
@@ -81,18 +82,19 @@ void DualGridScheme::restrictFluid(const FineFlow& flow)
     for (int c = 0; c < cells.ownedCount(); ++c)
         finishAverages(fluid[c], cells.grid().cellVolume());
     plan_.update(fluid.data());
-    for (Solid* solid : {&wet_, &dry_})
-        solid->room.reset(cells);
-    fluidMass_.reset(cells);
+    for (CoarseField<double>* field : {&openVolume_, &openWater_, &openAir_, &fluidMass_})
+        field->reset(cells);
     const double least = nothing * cells.grid().cellVolume();
     for (int c = 0; c < cells.count(); ++c) {
-        fluidMass_[c] = fluid[c].fluidMass;
-        if (!fluid[c].hasFluid())
+        const CoarseFluid& here = fluid[c];
+        fluidMass_[c] = here.fluidMass;
+        if (!here.hasFluid())
             continue;
         // The open volume, not the fluid's: spheres displace the fluid around them, and what is free of them elsewhere
         // would draw more than its share
-        wet_.room[c] = fluid[c].openWater > least ? fluid[c].openWater : 0;
-        dry_.room[c] = fluid[c].openAir() > least ? fluid[c].openAir() : 0;
+        openVolume_[c] = here.openVolume;
+        openWater_[c] = here.openWater > least ? here.openWater : 0;
+        openAir_[c] = here.openAir() > least ? here.openAir() : 0;
     }
 }
 
@@ -128,9 +130,10 @@ void DualGridScheme::place(const ParticleView& particles, Ledger& ledger)
 DualGridScheme::Place DualGridScheme::placeOf(const ParticleView& particles, std::size_t particle) const
 {
     Place place;
-    place.wet = place.dry = place.mass = stencilOf(cells, particles.position[particle]);
-    const double water = gather(place.wet, wet_.room), air = gather(place.dry, dry_.room);
-    const bool inWater = reweigh(place.wet, wet_.room), inAir = reweigh(place.dry, dry_.room);
+    place.solid = place.wet = place.dry = place.mass = stencilOf(cells, particles.position[particle]);
+    const double water = gather(place.wet, openWater_), air = gather(place.dry, openAir_);
+    const bool inWater = reweigh(place.wet, openWater_), inAir = reweigh(place.dry, openAir_);
+    reweigh(place.solid, openVolume_);
     reweigh(place.mass, fluidMass_);
     const SphereShare share = shareOfSphere(particles.position[particle], particles.radius[particle], cells, filled_,
                                             fluid, surface_);
@@ -139,26 +142,6 @@ DualGridScheme::Place DualGridScheme::placeOf(const ParticleView& particles, std
     if (place.wetShare < nothing || place.wetShare > 1 - nothing)
         place.wetShare = std::round(place.wetShare);
     return place;
-}
-
-/// Adds an amount where the sphere's volume is: in the water around it and in the air.
-template <class T> void DualGridScheme::spreadSolid(const Place& place, const T& amount, CoarseField<T>& field) const
-{
-    if (place.wetShare > 0)
-        spread(place.wet, place.wetShare * amount, field);
-    if (place.wetShare < 1)
-        spread(place.dry, (1 - place.wetShare) * amount, field);
-}
-
-/// Its adjoint.
-template <class T> T DualGridScheme::gatherSolid(const Place& place, const CoarseField<T>& field) const
-{
-    T sum{};
-    if (place.wetShare > 0)
-        sum += place.wetShare * gather(place.wet, field);
-    if (place.wetShare < 1)
-        sum += (1 - place.wetShare) * gather(place.dry, field);
-    return sum;
 }
 
 void DualGridScheme::project(const ParticleView& particles, Ledger& ledger)
@@ -182,10 +165,9 @@ void DualGridScheme::spreadSpheres(const ParticleView& particles, Ledger& ledger
         const double displaced = motionOf(particles, i).displacing * volume;
         ledger.absentVolume += volumeOf(particles, i) - displaced;
         for (int n = 0; n < 8; ++n) {
-            Spheres &wet = spheres_[place.wet.cell[n]], &dry = spheres_[place.dry.cell[n]];
-            const double w = place.wetShare * place.wet.weight[n], d = (1 - place.wetShare) * place.dry.weight[n];
-            wet.wet += w * volume, wet.wetDisplaced += w * displaced;
-            dry.dry += d * volume, dry.dryDisplaced += d * displaced;
+            Spheres& spheres = spheres_[place.solid.cell[n]];
+            spheres.volume += place.solid.weight[n] * volume;
+            spheres.displaced += place.solid.weight[n] * displaced;
         }
         if (!settings_.momentumExchange)
             continue;
@@ -195,31 +177,22 @@ void DualGridScheme::spreadSpheres(const ParticleView& particles, Ledger& ledger
     }
 }
 
-/// The solid that fits below the smallest fluid fraction: what one fluid has no room for goes into the other, what none
-/// has is clipped and listed. On every copy of a cell alike.
+/// The solid that fits below the smallest fluid fraction; the rest is clipped and listed. On every copy of a cell alike.
 void DualGridScheme::fitSolid(Ledger& ledger)
 {
     solidVolume.reset(cells);
-    for (Solid* solid : {&wet_, &dry_})
-        solid->fraction.reset(cells);
-    const double densest = 1 - settings_.smallestFluidFraction;
+    solidFraction_.reset(cells);
     for (int c = 0; c < cells.count(); ++c) {
-        const double wet = spheres_[c].wetDisplaced, dry = spheres_[c].dryDisplaced;
-        const double wetRoom = densest * wet_.room[c], dryRoom = densest * dry_.room[c];
-        const double wetFits = std::min(wetRoom, wet + std::max(0.0, dry - dryRoom));
-        const double dryFits = std::min(dryRoom, dry + std::max(0.0, wet - wetRoom));
-        solidVolume[c] = wetFits + dryFits;
-        if (wetFits > 0)
-            wet_.fraction[c] = wetFits / wet_.room[c];
-        if (dryFits > 0)
-            dry_.fraction[c] = dryFits / dry_.room[c];
+        const double displaced = spheres_[c].displaced;
+        const double room = (1 - settings_.smallestFluidFraction) * openVolume_[c];
+        solidVolume[c] = std::min(displaced, room);
+        if (solidVolume[c] > 0)
+            solidFraction_[c] = solidVolume[c] / openVolume_[c];
         if (c >= cells.ownedCount())
             continue;
-        ledger.coarseVolume += wet + dry;
-        if (wet + dry > wetRoom + dryRoom) {
-            ledger.clippedVolume += wet + dry - solidVolume[c];
-            ++ledger.clippedCells;
-        }
+        ledger.coarseVolume += displaced;
+        ledger.clippedVolume += displaced - solidVolume[c];
+        ledger.clippedCells += displaced > room;
     }
 }
 
@@ -244,36 +217,27 @@ void DualGridScheme::prolongSolid(const FineFlow& flow, FineSource& source)
     const PhaseTimer::Scope scope(timer, PhaseTimer::prolongation);
     density_.resize(flow.count);
     for (std::size_t f = 0; f < flow.count; ++f)
-        density_[f] = flow.open(f) * flow.wet(f);
-    prolongKind(wet_);
-    for (std::size_t f = 0; f < flow.count; ++f)
-        density_[f] = flow.open(f) * (1 - flow.wet(f));
-    prolongKind(dry_);
-    addToCells(parts_, wet_.amount, source.solidFraction.data());
-    addToCells(parts_, dry_.amount, source.solidFraction.data());
+        density_[f] = flow.open(f);
+    solidProlongation_.shape(parts_, cells, solidFraction_, openVolume_, density_.data(), scalarMoment_);
+    complete(scalarMoment_);
+    solidProlongation_.spread(parts_, solidFraction_, openVolume_, density_.data(), scalarMoment_, 0,
+                              1 - settings_.smallestFluidFraction, solidParts_);
+    addToCells(parts_, solidParts_, source.solidFraction.data());
     for (std::size_t f = 0; f < flow.count; ++f) {
         if (source.solidFraction[f] > 0)
             source.solidFraction[f] /= flow.open(f) * flow.volume[f];
     }
 }
 
-void DualGridScheme::prolongKind(Solid& solid)
-{
-    solidProlongation_.shape(parts_, cells, solid.fraction, solid.room, density_.data(), scalarMoment_);
-    complete(scalarMoment_);
-    solidProlongation_.spread(parts_, solid.fraction, solid.room, density_.data(), scalarMoment_, 0,
-                              1 - settings_.smallestFluidFraction, solid.amount);
-}
-
 void DualGridScheme::restrictLoads(const FineFlow& flow, Ledger& ledger)
 {
     const PhaseTimer::Scope scope(timer, PhaseTimer::restriction);
     const PassiveForces passive{forces_.pressureGradient(), forces_.viscous(), gravity_};
-    restrictLoad(parts_, flow, passive, wet_.amount.data(), dry_.amount.data(), cells, load_);
+    restrictLoad(parts_, flow, passive, solidParts_.data(), cells, load_);
     plan_.accumulate(load_.data());
     for (int c = 0; c < cells.ownedCount(); ++c) {
         finishAverages(load_[c], cells.grid().cellVolume());
-        ledger.passiveCarried += load_[c].carried;
+        ledger.passiveCarried += load_[c].carried - load_[c].displaced * gravity_;
     }
     plan_.update(load_.data());
 }
@@ -299,22 +263,23 @@ LocalFlow DualGridScheme::flowAt(const Place& place) const
 {
     LocalFlow flow;
     flow.wetFraction = place.wetShare;
-    if (place.wetShare > 0) {
-        flow.water = phaseAt(place.wet, wet_, &CoarseFluid::water);
-        push(place.wet, place.wetShare, &SolidLoad::wet, flow);
-    }
-    if (place.wetShare < 1) {
-        flow.air = phaseAt(place.dry, dry_, &CoarseFluid::air);
-        push(place.dry, 1 - place.wetShare, &SolidLoad::dry, flow);
+    if (place.wetShare > 0)
+        flow.water = phaseAt(place.wet, &CoarseFluid::water);
+    if (place.wetShare < 1)
+        flow.air = phaseAt(place.dry, &CoarseFluid::air);
+    flow.water.fluidFraction = flow.air.fluidFraction = 1 - gather(place.solid, solidFraction_);
+    for (int n = 0; n < 8; ++n) {
+        const SolidLoad& cell = load_[place.solid.cell[n]];
+        flow.pressureGradient += place.solid.weight[n] * cell.pressureGradient;
+        flow.viscousForce += place.solid.weight[n] * cell.viscousForce;
     }
     flow.pressureGradient += densityAt(place) * gravity_;
     return flow;
 }
 
-PhaseFlow DualGridScheme::phaseAt(const Stencil& window, const Solid& solid, CoarsePhase CoarseFluid::*phase) const
+PhaseFlow DualGridScheme::phaseAt(const Stencil& window, CoarsePhase CoarseFluid::*phase) const
 {
     PhaseFlow flow;
-    flow.fluidFraction = 1 - gather(window, solid.fraction);
     double accelerated = 0;
     for (int n = 0; n < 8; ++n) {
         const CoarsePhase& cell = fluid[window.cell[n]].*phase;
@@ -327,16 +292,6 @@ PhaseFlow DualGridScheme::phaseAt(const Stencil& window, const Solid& solid, Coa
     if (accelerated > nothing)
         flow.acceleration *= 1 / accelerated;
     return flow;
-}
-
-void DualGridScheme::push(const Stencil& window, double share, CoarsePush SolidLoad::*push, LocalFlow& flow) const
-{
-    for (int n = 0; n < 8; ++n) {
-        const CoarsePush& cell = load_[window.cell[n]].*push;
-        const double w = share * window.weight[n];
-        flow.pressureGradient += w * cell.pressureGradient;
-        flow.viscousForce += w * cell.viscousForce;
-    }
 }
 
 /// Of the fluid in the sphere's place [kg/m3].
@@ -359,9 +314,12 @@ void DualGridScheme::respond(const ParticleView& particles, double deltaT, std::
     const PhaseTimer::Scope scope(timer, PhaseTimer::forces);
     sums_.reset(cells);
     for (std::size_t i = 0; i < particles.count; ++i) {
-        if (answers(particles, i))
-            spreadSolid(places_[i], responseOf(stateOf(particles, i, places_[i].presence), particles.motion[i],
-                                               densityAt(places_[i]), replies[i]), sums_);
+        if (!answers(particles, i))
+            continue;
+        const Place& place = places_[i];
+        const ResponseSums own =
+            responseOf(stateOf(particles, i, place.presence), particles.motion[i], densityAt(place), replies[i]);
+        spread(place.solid, own, sums_);
     }
     plan_.accumulate(sums_.data());
     response_.reset(cells);
@@ -373,7 +331,7 @@ void DualGridScheme::respond(const ParticleView& particles, double deltaT, std::
     for (std::size_t i = 0; i < particles.count; ++i) {
         if (!answers(particles, i))
             continue;
-        const Vec3 force = places_[i].presence * volumeOf(particles, i) * gatherSolid(places_[i], response_);
+        const Vec3 force = places_[i].presence * volumeOf(particles, i) * gather(places_[i].solid, response_);
         replies[i].passiveForce += force;
         ledger.response += force;
     }
@@ -399,16 +357,33 @@ void DualGridScheme::spreadReaction(const ParticleView& particles, const std::ve
     complete(reaction_);
 }
 
-/// What the particles of a cell get of ∇p and ∇·τ, less what the fluid's equations carry for them [N].
+/// What the particles of a cell get of ∇p - ρg and ∇·τ, less what the fluid's equations carry for them [N].
 Vec3 DualGridScheme::returnedTo(int cell) const
 {
     if (!settings_.momentumExchange)
         return {};
-    const double wet = spheres_[cell].wet, dry = spheres_[cell].dry;
     const SolidLoad& load = load_[cell];
-    const double weight = forces_.pressureGradient() ? wet * water_.density + dry * air_.density : 0;
-    return wet * (load.wet.viscousForce - load.wet.pressureGradient) +
-           dry * (load.dry.viscousForce - load.dry.pressureGradient) - weight * gravity_ - load.carried;
+    return spheres_[cell].volume * (load.viscousForce - load.pressureGradient) - load.carried;
+}
+
+/// The rest of the weight, to all of the fluid by its mass.
+void DualGridScheme::returnWeight(const ParticleView& particles, const FineFlow& flow, FineSource& source,
+                                  Ledger& ledger) const
+{
+    if (!settings_.momentumExchange || !forces_.pressureGradient())
+        return;
+    double sums[2] = {0, 0}; // mass that the spheres displace less that which the fluid carries, mass of the fluid [kg]
+    for (std::size_t i = 0; i < particles.count; ++i)
+        sums[0] += places_[i].presence * volumeOf(particles, i) * densityAt(places_[i]);
+    for (int c = 0; c < cells.ownedCount(); ++c)
+        sums[0] -= load_[c].displaced;
+    for (std::size_t f = 0; f < flow.count; ++f)
+        sums[1] += flow.density[f] * flow.fluidFraction[f] * flow.volume[f];
+    ledger.passiveReturned -= sums[0] * gravity_; // this rank's share
+    sumOverRanks(sums, 2, comm_);
+    const Vec3 acceleration = sums[1] > 0 ? sums[0] / sums[1] * gravity_ : Vec3{};
+    for (std::size_t f = 0; f < flow.count; ++f)
+        source.force[f] += flow.density[f] * flow.fluidFraction[f] * flow.volume[f] * acceleration;
 }
 
 void DualGridScheme::prolongForce(const FineFlow& flow, double deltaT, FineSource& source, Ledger& ledger)

@@ -1,10 +1,13 @@
 /// The coupling through the coarse grid: the algorithm that CouplingStep.h describes.
 ///
-/// Water and air are kept apart. The share of a sphere that is in the water (WaterSurface.h) goes into the water of the
-/// coarse cells around it and feels that water, the rest the air. So each coarse cell has two kinds of solid; on the
-/// fine mesh αs = α1 (αs in water) + (1-α1)(αs in air), and what the fluid's equations carry for the solid, αs∇p, is what
-/// the particles get, cell by cell: both read the same weights. Only where water and air share a fine cell does the
-/// weight in αs∇p differ from the one that a sphere in one of them feels; that difference is given to the fluid.
+/// Volume is spread over the open volume, whichever fluid is in it: αs must not move because the water does. Flow is
+/// read from each fluid by itself, weighted by the share of the sphere that is in it (WaterSurface.h). What the fluid's
+/// equations carry for the solid, αs(-∇p + ρg + ∇·τ), is averaged by the fine αs and read with the weights that spread the
+/// volume, so the particles of a coarse cell get exactly that; only clipped solid leaves a difference, given to the fluid
+/// there.
+/// The weight ρg is that of the fluid in the sphere's own place; the fluid carries αsρg, which is smeared over the surface.
+/// The difference, a few per cent of the buoyancy of what floats, goes to the fluid as one acceleration for all of it:
+/// along gravity, a slightly other weight, that leaves still water still. Cell by cell it would stir it.
 #pragma once
 
 #include "CouplingScheme.h"
@@ -30,22 +33,17 @@ class DualGridScheme : public CouplingScheme
   private:
     /// A particle on the coarse grid.
     struct Place {
-        Stencil wet;     ///< weighted by open water: where its share in the water is, and sees the flow
+        Stencil solid;   ///< weighted by open volume: where its volume is
+        Stencil wet;     ///< by open water: where its share in the water sees the flow
         Stencil dry;     ///< by open air
         Stencil mass;    ///< by fluid mass: where its reaction goes; at the surface the water, not the air above it
         double wetShare; ///< of the sphere [-]
         double presence; ///< share of its volume that is in the mesh [-]; 0: it finds no fluid
     };
-    /// Solid in one of the fluids, on the coarse grid.
-    struct Solid {
-        CoarseField<double> room;     ///< open volume of that fluid [m3]
-        CoarseField<double> fraction; ///< αs of the open volume [-]
-        std::vector<double> amount;   ///< per part [m3]
-    };
     /// Volume of the spheres in a coarse cell [m3], before anything is clipped. Doubles only, as below.
     struct Spheres {
-        double wet = 0, dry = 0;                   ///< what feels the fluid
-        double wetDisplaced = 0, dryDisplaced = 0; ///< of it, what the fluid gives way to (insertion)
+        double volume = 0;    ///< what feels the fluid
+        double displaced = 0; ///< of it, what the fluid gives way to (insertion)
     };
     /// Of the particles in a coarse cell. Doubles only: it travels through the halo as such.
     struct Reaction {
@@ -65,17 +63,16 @@ class DualGridScheme : public CouplingScheme
     void restrictLoads(const FineFlow& flow, Ledger& ledger);
     void interact(const ParticleView& particles, std::vector<Interaction>& replies, Ledger& ledger);
     LocalFlow flowAt(const Place& place) const;
-    PhaseFlow phaseAt(const Stencil& window, const Solid& solid, CoarsePhase CoarseFluid::*phase) const;
-    void push(const Stencil& window, double share, CoarsePush SolidLoad::*push, LocalFlow& flow) const;
+    PhaseFlow phaseAt(const Stencil& window, CoarsePhase CoarseFluid::*phase) const;
     double densityAt(const Place& place) const;
     bool answers(const ParticleView& particles, std::size_t particle) const;
     void respond(const ParticleView& particles, double deltaT, std::vector<Interaction>& replies, Ledger& ledger);
     void spreadReaction(const ParticleView& particles, const std::vector<Interaction>& replies);
     Vec3 returnedTo(int cell) const;
     void prolongSolid(const FineFlow& flow, FineSource& source);
-    void prolongKind(Solid& solid);
     void prolongForce(const FineFlow& flow, double deltaT, FineSource& source, Ledger& ledger);
     void prolongReaction(const FineFlow& flow, FineSource& source);
+    void returnWeight(const ParticleView& particles, const FineFlow& flow, FineSource& source, Ledger& ledger) const;
 
     /// Every rank's contributions to the owner, the owner's sum to every copy.
     template <class T> void complete(CoarseField<T>& field)
@@ -83,8 +80,6 @@ class DualGridScheme : public CouplingScheme
         plan_.accumulate(field.data());
         plan_.update(field.data());
     }
-    template <class T> void spreadSolid(const Place& place, const T& amount, CoarseField<T>& field) const;
-    template <class T> T gatherSolid(const Place& place, const CoarseField<T>& field) const;
 
     const Vec3 gravity_; ///< [m/s2]
     MPI_Comm comm_;
@@ -94,8 +89,10 @@ class DualGridScheme : public CouplingScheme
     Prolongation<Vec3> forceProlongation_;
 
     CoarseField<Box> filled_; ///< part of each cell that is in the mesh
-    Solid wet_, dry_;
+    CoarseField<double> openVolume_, openWater_, openAir_; ///< of the cells that hold fluid [m3]
     CoarseField<Spheres> spheres_;
+    CoarseField<double> solidFraction_; ///< αs of the open volume [-]
+    std::vector<double> solidParts_;    ///< volume of the solid per part [m3]
     CoarseField<double> fluidMass_;   ///< [kg]
     CoarseField<WaterSurface> surface_;
     CoarseField<char> needed_; ///< cells whose surface a sphere asks for

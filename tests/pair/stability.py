@@ -67,7 +67,7 @@ run {run}
 def lattice_case(folder, alpha, density, delta_t, bonded):
     cell = DIAMETER * (2 * math.pi / 6 / alpha) ** (1 / 3)  # two spheres in each
     edge = CELLS * cell
-    every = max(4, round(delta_t / 2e-5))
+    every = round(delta_t / (2e-6 if bonded else 2e-5))
     dem = delta_t / every
     n = 2 * CELLS
     case = folder / "foam"
@@ -76,7 +76,8 @@ def lattice_case(folder, alpha, density, delta_t, bonded):
     h = 3 * DIAMETER
     body_case.write(case / "constant/couplingProperties",
                     f"coarseGrid {{ min (0 0 0); max ({edge} {edge} {edge}); cellSize {h}; }}\n")
-    bonds = ("fix bonds all bond/parallel young 1e6 stiffness_ratio 2 tensile_strength 1e9 shear_strength 1e9 "
+    # as stiff as the DEM step allows
+    bonds = (f"fix bonds all bond/parallel young {7e6 * density / 900} stiffness_ratio 2 tensile_strength 1e9 shear_strength 1e9 "
              f"create_gap {cell * math.sqrt(0.75) / DIAMETER - 1 + 0.05}" if bonded else "")
     (folder / "in.two").write_text(LATTICE.format(
         edge=edge, cell=cell, diameter=DIAMETER, density=density, dem=dem, every=every, bonds=bonds,

@@ -167,27 +167,26 @@ TEST(Restriction, EachFluidHasItsOwnMean)
     EXPECT_DOUBLE_EQ(fluid[0].air.velocity.x, 20);
 }
 
-/// Half of the solid of 0.1 in water at rest, half in air: the rest of ∇p vanishes, the weight is that of the fine cells.
+/// Water at rest below, pushed along x, air above: means by the solid, and what the fine cells carry, beside the weight.
 TEST(Restriction, LoadOfTheSolidIsWhatTheFineCellsCarry)
 {
     const CoarseGrid grid(Box{{0, 0, 0}, {1, 1, 1}}, 1, 1, {});
     const LocalCells cells(grid, 0);
     const FineParts parts({{0, 0, 0.5, {0.5, 0.5, 0.25}}, {1, 0, 0.5, {0.5, 0.5, 0.75}}}, cells);
     const double volume[] = {0.5, 0.5}, epsilon[] = {0.9, 0.9}, density[] = {1000, 1}, wet[] = {1, 0};
-    const double wetSolid[] = {0.05, 0}, drySolid[] = {0, 0.05};
+    const double solid[] = {0.06, 0.04};
     const Vec3 gradient[] = {{3, 0, -10000}, {0, 0, -10}}, viscous[] = {{0, 7, 0}, {0, 0, 0}}, zero[2] = {};
     CoarseField<SolidLoad> load;
     const FineFlow flow{2, volume, epsilon, nullptr, density, wet, zero, gradient, viscous, zero, zero};
-    restrictLoad(parts, flow, {true, true, {0, 0, -10}}, wetSolid, drySolid, cells, load);
+    restrictLoad(parts, flow, {true, true, {0, 0, -10}}, solid, cells, load);
     finishAverages(load[0], 1);
-    EXPECT_DOUBLE_EQ(load[0].wet.volume, 0.05);
-    EXPECT_DOUBLE_EQ(load[0].wet.pressureGradient.x, 3);
-    EXPECT_DOUBLE_EQ(load[0].wet.pressureGradient.z, 0);
-    EXPECT_DOUBLE_EQ(load[0].wet.viscousForce.y, 7);
-    EXPECT_DOUBLE_EQ(load[0].dry.pressureGradient.z, 0);
-    EXPECT_DOUBLE_EQ(load[0].carried.x, -0.15);
-    EXPECT_DOUBLE_EQ(load[0].carried.y, 0.35);
-    EXPECT_DOUBLE_EQ(load[0].carried.z, 0.05 * 10000 + 0.05 * 10);
+    EXPECT_DOUBLE_EQ(load[0].volume, 0.1);
+    EXPECT_DOUBLE_EQ(load[0].pressureGradient.x, 1.8);
+    EXPECT_DOUBLE_EQ(load[0].pressureGradient.z, 0);
+    EXPECT_DOUBLE_EQ(load[0].viscousForce.y, 4.2);
+    EXPECT_DOUBLE_EQ(load[0].carried.x, -0.18);
+    EXPECT_DOUBLE_EQ(load[0].carried.y, 0.42);
+    EXPECT_DOUBLE_EQ(load[0].displaced, 60.04);
 }
 
 TEST(Prolongation, CornerWeights)
