@@ -58,9 +58,11 @@ fix small all body/rigid mesh hull_small density 1000 lock x y z rx ry rz
 fix wall all wall/gran model hertz tangential history mesh n_meshes 1 meshes hull_small
 """
 INSERTED = HEAD + f"""
+create_atoms 1 single -0.03 0.03 0.03 units box  # LIGGGHTS does not start without any
+set group all diameter {DIAMETER} density 1000
 fix motion all nve/sphere
 fix fluid all couple/foam ramp {{ramp}}
-run {{first}}
+run {{first}} stop {{rest}}
 create_atoms 1 single 0.001 0.002 -0.001 units box
 set group all diameter {DIAMETER} density 1000
 run {{rest}} upto
