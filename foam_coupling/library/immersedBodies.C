@@ -41,10 +41,8 @@ frazil::Settings settingsOf(const dictionary& bodiesDict)
 }
 
 
-scalar finestCell(const fvMesh& mesh)
-{
-    return std::cbrt(gMin(mesh.V().field()));
-}
+//- Cells finer than this share of the size that a body's distances are made for are worth a warning
+constexpr scalar muchFiner = 0.8;
 
 } // End anonymous namespace
 
@@ -135,6 +133,60 @@ void Foam::immersedBodies::checkInMesh() const
             "Move the body or the mesh; STL files in millimetres must be "
             "scaled to metres; a body thinner than a cell needs a finer mesh."
         );
+    }
+}
+
+
+Foam::scalar Foam::immersedBodies::cellSizeAt(const immersedBody& body) const
+{
+    scalar inBox = GREAT;
+    scalar anywhere = GREAT;
+    forAll(mesh_.V(), celli)
+    {
+        const scalar V = mesh_.V()[celli];
+        anywhere = min(anywhere, V);
+        if (V < inBox && body.boxHolds(mesh_.cellCentres()[celli]))
+        {
+            inBox = V;
+        }
+    }
+    reduce(inBox, minOp<scalar>());
+    reduce(anywhere, minOp<scalar>());
+    return std::cbrt(inBox < GREAT ? inBox : anywhere);
+}
+
+
+Foam::scalar Foam::immersedBodies::finestCut(const label bodyi) const
+{
+    scalar least = GREAT;
+    const bodyCut& cut = cuts_[bodyi];
+    forAll(cut.cells, i)
+    {
+        if (cut.share[i] > 0 && cut.share[i] < 1)
+        {
+            least = min(least, mesh_.V()[cut.cells[i]]);
+        }
+    }
+    reduce(least, minOp<scalar>());
+    return least < GREAT ? std::cbrt(least) : GREAT;
+}
+
+
+void Foam::immersedBodies::warnOfFinerCells()
+{
+    forAll(bodies_, i)
+    {
+        const immersedBody& body = bodies_[i];
+        const scalar finest = warned_[i] || body.cellSizeGiven() ? GREAT : finestCut(i);
+        if (finest < muchFiner*body.cellSize())
+        {
+            warned_[i] = true;
+            Warning
+                << "Body " << body.name() << " cuts cells of " << finest << " m, but its edges are rounded for the "
+                << body.cellSize() << " m of the cells where it started." << nl
+                << "    Give the size in constant/couplingProperties: bodies { " << body.name() << " { cellSize "
+                << finest << "; } }" << nl << endl;
+        }
     }
 }
 
@@ -294,6 +346,7 @@ void Foam::immersedBodies::keepPoses()
         {
             row[2*bodyPose::words + c] = centre[c];
         }
+        row[poseWords - 1] = bodies_[i].cellSize();
         row += poseWords;
     }
 }
@@ -309,6 +362,7 @@ void Foam::immersedBodies::goOn()
         end_[i] = bodyPose(row + bodyPose::words);
         const scalar* centre = row + 2*bodyPose::words;
         bodies_[i].setMassCentre({centre[0], centre[1], centre[2]});
+        bodies_[i].resolve(row[poseWords - 1]);
         row += poseWords;
     }
     cutAt(start_, closedStart_);
@@ -387,19 +441,19 @@ Foam::immersedBodies::immersedBodies
     (
         mesh.time().rootPath()/mesh.time().globalCaseName()
     );
-    const scalar finest = finestCell(mesh);
 
     for (const std::string& name : bodies.subKeys())
     {
         bodies_.append
         (
-            new immersedBody(word(name), bodies.sub(name), casePath, finest)
+            new immersedBody(word(name), bodies.sub(name), casePath)
         );
         cuts_.append(new bodyCut());
         end_.push_back(bodies_.last().pose());
     }
     bodies.finish();
     start_ = end_;
+    warned_.setSize(bodies_.size(), false);
     closedStart_.reset(mesh.nFaces());
     closedEnd_.reset(mesh.nFaces());
     if (poses_.size() == poseWords*bodies_.size() && bodies_.size())
@@ -418,6 +472,7 @@ void Foam::immersedBodies::place(const std::vector<frazil::BodyState>& states)
     {
         bodies_[i].check(*ordered[i]);
         bodies_[i].place(*ordered[i]);
+        bodies_[i].resolve(cellSizeAt(bodies_[i]));
         end_[i] = bodies_[i].pose();
     }
     start_ = end_;
@@ -451,6 +506,7 @@ void Foam::immersedBodies::move
         checkInMesh();
         found_ = true;
     }
+    warnOfFinerCells();
 }
 
 
@@ -520,18 +576,9 @@ Foam::scalar Foam::immersedBodies::largestDeltaT
         const bodyPose pose(*ordered[i]);
         const scalar speed =
             mag(pose.velocity) + mag(pose.omega)*bodies_[i].reach();
-        scalar cell = GREAT;
-        const bodyCut& cut = cuts_[i];
-        forAll(cut.cells, j)
-        {
-            if (cut.share[j] > 0 && cut.share[j] < 1)
-            {
-                cell = min(cell, mesh_.V()[cut.cells[j]]);
-            }
-        }
-        least = min(least, share*std::cbrt(cell)/max(speed, VSMALL));
+        least = min(least, share*finestCut(i)/max(speed, VSMALL));
     }
-    return returnReduce(least, minOp<scalar>());
+    return least;
 }
 
 

@@ -42,14 +42,18 @@ Foam::tensor rotationBy(const Foam::vector& angle)
 }
 
 
+//- Sizes of cells that differ by less are the same: round-off of volumes
+constexpr double sameSize = 1e-6;
+
+
 //- A third of a cell, unless the lattice would have too many nodes
-double defaultSpacing(const frazil::Box& bounds, double finestCell)
+double defaultSpacing(const frazil::Box& bounds, double cellSize)
 {
-    const double margin = 2*marginInCells*finestCell;
+    const double margin = 2*marginInCells*cellSize;
     const frazil::Vec3 size = bounds.size() + frazil::Vec3{margin, margin, margin};
     return std::max
     (
-        finestCell/latticePerCell,
+        cellSize/latticePerCell,
         std::cbrt(size.x*size.y*size.z/mostNodes)
     );
 }
@@ -118,24 +122,11 @@ Foam::bodyPose Foam::bodyPose::after(const scalar deltaT) const
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::immersedBody::computeLattice
-(
-    const std::vector<frazil::Triangle>& triangles,
-    const scalar spacing,
-    const scalar finestCell
-)
+void Foam::immersedBody::computeLattice()
 {
-    lattice_.reset
-    (
-        new frazil::signedDistanceLattice
-        (
-            frazil::boundsOf(triangles), spacing, marginInCells*finestCell
-        )
-    );
-    lattice_->compute
-    (
-        frazil::joinCorners(triangles), Pstream::myProcNo(), Pstream::nProcs()
-    );
+    const double spacing = givenSpacing_ > 0 ? givenSpacing_ : defaultSpacing(box_, cellSize_);
+    lattice_.reset(new frazil::signedDistanceLattice(box_, spacing, marginInCells*cellSize_));
+    lattice_->compute(frazil::joinCorners(triangles_), Pstream::myProcNo(), Pstream::nProcs());
 
     // Every rank has computed its planes and left zero elsewhere
     if (Pstream::parRun())
@@ -148,11 +139,11 @@ void Foam::immersedBody::computeLattice
         std::copy(all.begin(), all.end(), values.begin());
     }
 
-    lattice_->roundEdges(edgeWidth*finestCell, mass_.volume);
+    lattice_->roundEdges(edgeWidth*cellSize_, mass_.volume);
 
     const int* n = lattice_->nodes();
-    Info<< "Body " << name_ << ": " << label(triangles.size())
-        << " triangles, volume " << mass_.volume << " m3, distance lattice "
+    Info<< "Body " << name_ << ": " << label(triangles_.size())
+        << " triangles, volume " << mass_.volume << " m3, cells of " << cellSize_ << " m, distance lattice "
         << n[0] << " x " << n[1] << " x " << n[2] << ", spacing " << spacing
         << " m" << endl;
 }
@@ -164,33 +155,30 @@ Foam::immersedBody::immersedBody
 (
     const word& name,
     const frazil::Settings& settings,
-    const std::string& casePath,
-    const scalar finestCell
+    const std::string& casePath
 )
 :
     name_(name),
     file_(settings.text("surface")),
     slip_(settings.flag("slip", true)),
+    givenCellSize_(settings.has("cellSize") ? settings.positive("cellSize") : 0),
+    givenSpacing_(settings.has("lattice") ? settings.positive("lattice") : 0),
     reach_(0),
+    cellSize_(0),
     pose_(frazil::BodyState())
 {
+    settings.finish();
     const std::string path = file_[0] == '/' ? file_ : casePath + "/" + file_;
-    const auto triangles = frazil::readClosedStl(path, "bodies." + name);
-    mass_ = frazil::massProperties(triangles, 1);
-    for (const frazil::Triangle& t : triangles)
+    triangles_ = frazil::readClosedStl(path, "bodies." + name);
+    box_ = frazil::boundsOf(triangles_);
+    mass_ = frazil::massProperties(triangles_, 1);
+    for (const frazil::Triangle& t : triangles_)
     {
         for (const frazil::Vec3& p : t)
         {
             reach_ = max(reach_, norm(p - mass_.centre));
         }
     }
-
-    const double spacing = settings.positive
-    (
-        "lattice", defaultSpacing(frazil::boundsOf(triangles), finestCell)
-    );
-    settings.finish();
-    computeLattice(triangles, spacing, finestCell);
     place(asLoaded());
 }
 
@@ -204,6 +192,17 @@ frazil::BodyState Foam::immersedBody::asLoaded() const
     state.centre = mass_.centre;
     state.volume = mass_.volume;
     return state;
+}
+
+
+void Foam::immersedBody::resolve(const scalar cellSize)
+{
+    const scalar size = cellSizeGiven() ? givenCellSize_ : cellSize;
+    if (mag(size - cellSize_) > sameSize*size)
+    {
+        cellSize_ = size;
+        computeLattice();
+    }
 }
 
 

@@ -153,11 +153,12 @@ void momentumBudget::report
     const vector boundary = gSum(V*stress) - outflow_ - pressureOnBoundary(pf);
     const vector weight = gSum(V*epsilon*forces.weight().primitiveField());
     const vector tension = gSum(V*epsilon*forces.tension().primitiveField());
-    const vector particles = gSum(V*(forces.particles - (outside - epsilon)*(stress - gradP)));
-    const vector error = change - boundary - weight - tension - particles + onBodies - splitting + gradient;
+    const vector particles = gSum(V*forces.particles);
+    const vector solid = -gSum(V*(outside - epsilon)*(stress - gradP));
+    const vector error = change - boundary - weight - tension - particles - solid + onBodies - splitting + gradient;
 
     Info<< "Momentum budget: change " << change << " boundary " << boundary << " weight " << weight
-        << " tension " << tension << " particles " << particles << " bodies " << -onBodies
+        << " tension " << tension << " particles " << particles << " solid " << solid << " bodies " << -onBodies
         << " splitting " << splitting << " gradient " << -gradient << " error " << error << endl;
 }
 

@@ -62,13 +62,13 @@ def cone(diameter, length, centre_tip, full_angle=120.0):
     return revolve([(0.0, 0.0), (r, h), (r, length), (0.0, length)], 128, centre_tip)
 
 
-def box_mesh(lo, hi, cells):
+def box_mesh(lo, hi, cells, grading="(1 1 1)"):
     """Dictionary of one block; the patch `top` is the +y face, all others `walls`."""
     (x0, y0, z0), (x1, y1, z1) = lo, hi
     return f"""scale 1;
 vertices (({x0} {y0} {z0}) ({x1} {y0} {z0}) ({x1} {y1} {z0}) ({x0} {y1} {z0})
           ({x0} {y0} {z1}) ({x1} {y0} {z1}) ({x1} {y1} {z1}) ({x0} {y1} {z1}));
-blocks (hex (0 1 2 3 4 5 6 7) ({cells[0]} {cells[1]} {cells[2]}) simpleGrading (1 1 1));
+blocks (hex (0 1 2 3 4 5 6 7) ({cells[0]} {cells[1]} {cells[2]}) simpleGrading {grading});
 edges ();
 boundary
 (

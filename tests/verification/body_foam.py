@@ -8,6 +8,7 @@ Usage: body_foam.py CASE FRAZILFOAM WORK_FOLDER, CASE one of
   closed_tank      a sphere moves through the surface in a tank without an outlet: α <= 1 + 1e-4 on one rank and on two
   momentum         two bodies between particles: the fluid's momentum, what crosses the boundary, weight, surface
                    tension and the loads balance to 1e-6 of the impulse, on one rank and on two
+  far_corner       cells of half the size far from the cone change neither impulse nor ripple
   cone_entry       120° cone at 20 m/s: water volume within 1e-6 of the body's volume, impulse within 10 % of the
                    measured one, ripple of the force after the peak below 10 % of ½ρU²A
 """
@@ -29,9 +30,14 @@ DX = D/N
 OFFSET = 0.37*DX  # no plane of symmetry of the body lies on the mesh
 
 
-def mesh(half_width, half_height, dx=DX):
+def mesh(half_width, half_height, dx=DX, corner=False):
+    """Cubes of dx; with `corner` the first layer along each axis is halved, so that one corner has a cell of dx/2."""
     lo, hi = (-half_width, -half_height, -half_width), (half_width, half_height, half_width)
-    return bc.box_mesh(lo, hi, [round((b - a)/dx) for a, b in zip(lo, hi)])
+    cells = [round((b - a)/dx) for a, b in zip(lo, hi)]
+    if not corner:
+        return bc.box_mesh(lo, hi, cells)
+    halved = " ".join(f"((1 2 1) ({n - 1} {n - 1} 1))" for n in cells)
+    return bc.box_mesh(lo, hi, [n + 1 for n in cells], f"({halved})")
 
 
 def prepare(folder, foam_mesh, triangles, surface_y, times, motion="", gravity=GRAVITY, sigma=0.0, top="open"):
@@ -206,12 +212,12 @@ def crossing_ripple(t, cs, crossing, start):
     return max(np.ptp(rest[i:i + per + 1])/2 for i in range(len(rest) - per))
 
 
-def cone_figures(foam, folder, n=N, offset=0.37):
+def cone_figures(foam, folder, n=N, offset=0.37, half=(2.5*D, 3*D), corner=False):
     """Figures of the 120° cone at 20 m/s with n cells per diameter, its axis offset [cells] from a mesh line."""
     dx = D/n
     gap = 1.2*dx
     body = bc.cone(D, 2*D, (offset*dx, gap, -offset*dx))
-    case = prepare(folder, mesh(2.5*D, 3*D, dx), body, 0.0, bc.control(gap/SPEED + 6.8e-4, 1e-5, 0.3),
+    case = prepare(folder, mesh(*half, dx, corner), body, 0.0, bc.control(gap/SPEED + 6.8e-4, 1e-5, 0.3),
                    "motion { velocity (0 -20 0); omega (0 0 0); }", sigma=0.0725)
     log = fc.run([foam], case, "log.frazilFoam")
     depth = D/2/math.tan(math.radians(60))
@@ -232,8 +238,18 @@ def cone_entry(foam, work):
     return abs(f["J(2)"]/2.07 - 1) < 0.10 and f["ripple"] < 0.10 and f["drift"] < 1e-6
 
 
+def far_corner(foam, work):
+    even, fine = (cone_figures(foam, work / name, half=(1.5*D, 2.5*D), corner=corner)
+                  for name, corner in (("even", False), ("corner", True)))
+    impulse = abs(fine["J(2)"]/even["J(2)"] - 1)
+    ripple = abs(fine["ripple"] - even["ripple"])
+    print(f"fine cells in a far corner: impulse {even['J(2)']:.4f} and {fine['J(2)']:.4f}, differ by {impulse:.1e}; ripple "
+          f"{even['ripple']:.2%} and {fine['ripple']:.2%}; allowed 1e-3 for both")
+    return impulse < 1e-3 and ripple < 1e-3
+
+
 CASES = {f.__name__: f for f in (archimedes, still_porous, moving_sphere, closed_tank, momentum,
-                                  cone_entry)}
+                                  far_corner, cone_entry)}
 
 if __name__ == "__main__":
     work = pathlib.Path(sys.argv[3]).resolve()

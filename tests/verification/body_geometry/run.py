@@ -149,6 +149,7 @@ def errors(program):
     refused({"ball": good}, ["slipp", "slip"], extra="slipp yes;")
     refused({"ball": sphere((0, 0, 20), 12)}, ["no part of the body is inside the mesh", "20"])
     refused({"ball": good}, ["lattice"], extra="lattice -1;")
+    refused({"ball": good}, ["cellSize"], extra="cellSize 0;")
     refused({"ball": good}, ["volume", "ball.stl", "same unit"], options=["-volumeFactor", "1e9"])
     needle = revolve([(0, 0), (0.0003, 0.0003), (0.0003, 0.02), (0, 0.02)], 8, (0.0014, 0.0014, 0.01))
     refused({"needle": needle}, ["bodies.needle", "finer mesh"])
