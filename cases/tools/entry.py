@@ -13,17 +13,28 @@ D0 = 0.016
 LENGTH = 3.375 * D0
 CONE = math.radians(60)       # half-angle
 TIP_RADIUS = 0.0008
+DENSITY = 2700.0              # of the body, as dem/in.* has it [kg/m3]
 CENTRE = 0.02848              # height of the centre of mass above the tip
 SIDE, DEPTH, HEIGHT = 10 * D0, 32 * D0, 10 * D0  # half width of the water, its depth, the air above
 FOAM = Path(__file__).resolve().parents[1] / "ice_entry" / "foam"
 
 
+def surface(parameters, tip_height=0.0):
+    """Triangles of the body, the tip at tip_height [m]."""
+    profile = projectile.meridian(D0, LENGTH, CONE, TIP_RADIUS, parameters["facets"])
+    return projectile.triangles(profile, parameters["facets"], (0.0, tip_height, 0.0))
+
+
+def mass(parameters):
+    """Of the body [kg]."""
+    return DENSITY * projectile.volume(surface(parameters))
+
+
 def write_projectile(run, parameters, tip_height):
     """One STL for both programs, the tip at tip_height [m]."""
-    profile = projectile.meridian(D0, LENGTH, CONE, TIP_RADIUS, parameters["facets"])
-    surface = projectile.triangles(profile, parameters["facets"], (0.0, tip_height, 0.0))
+    corners = surface(parameters, tip_height)
     for place in (run / "dem", run / "foam/constant/triSurface"):
-        projectile.write_stl(place / "projectile.stl", surface, "projectile")
+        projectile.write_stl(place / "projectile.stl", corners, "projectile")
 
 
 def coarse_box(parameters):

@@ -1,11 +1,13 @@
 /// One exchange between particles and fluid, the algorithm on one page: see advance() in CouplingStep.cpp.
 ///
+///   restrict   fine mesh -> coarse grid: averages of water and air (2.24)
+///   place      each sphere's share in the water, in the air and in the mesh (WaterSurface.h), its windows
 ///   spread     particles -> coarse grid: solid volume and impulse (trilinear, weights sum to one)
-///   restrict   fine mesh -> coarse grid: fluid averages (2.24)
-///   forces     gather the coarse fluid at each particle, the sphere's wet share (WaterSurface.h), force laws ->
-///   replies prolong    coarse grid -> fine mesh: solid fraction and reaction force, conservative per coarse cell; drag
-///   and
-///              added mass of the coming step
+///   prolong    coarse grid -> fine mesh: αs, conservative per coarse cell
+///   restrict   fine mesh -> coarse grid: what the fluid's equations carry for that αs, -αs∇p + αs∇·τ
+///   forces     gather the coarse fluid at each particle, force laws -> replies
+///   respond    how ∇p will answer to the particles' motion (PressureResponse.h)
+///   prolong    coarse grid -> fine mesh: force on the fluid; drag and added mass of the coming step
 ///
 /// Momentum (model A: S = -Σ (fd + fa)/V): the particles report the drag and added-mass impulse J that they really
 /// received since the last exchange, and the fluid gets exactly the opposite. That alone comes two exchanges after the
@@ -17,7 +19,7 @@
 /// where what was predicted is given back as what really happened arrives: Σ G = -Σ J - P_last, exact up to the one
 /// amount held. (1+κ+γ) λ³ - (1+κ+2γ) λ² + (κ+2γ) λ - γ = 0 is stable for all κ, γ. FineSource has the coefficients;
 /// they follow the stencils of J and, within a coarse cell, the fluid's mass.
-/// Cost: O(particles x 8 + fine cells), thirteen small halo exchanges, one Allreduce of 23 numbers. Buffers only
+/// Cost: O(particles x 8 + fine cells), fifteen small halo exchanges, Allreduces of 37 and 2 numbers. Buffers only
 /// grow. Parallel: one object per fluid rank, every call is collective over the communicator. For one number of ranks
 /// the result does not depend on how the particles came in; between numbers of ranks it differs by round-off only.
 #pragma once

@@ -310,6 +310,7 @@ Foam::pairExchange::pairExchange
         gravity
     ),
     step_(settings, grid_, water, air, gravity, frazil::World::instance().own()),
+    waterWeight_(water.density*norm(gravity)),
     link_(),
     restarted_
     (
@@ -438,6 +439,7 @@ void Foam::pairExchange::advance
         ledger_() << ledger.csvLine(order_.time).c_str() << columns.c_str() << endl;
     }
     keepCarried(ledger);
+    watchSwing(ledger);
 
     if (writesCoarse_)
     {
@@ -445,6 +447,25 @@ void Foam::pairExchange::advance
     }
 
     exchangeTime_ += wallTime() - start;
+}
+
+
+void Foam::pairExchange::watchSwing(const frazil::Ledger& ledger)
+{
+    if (!swing_.grows(ledger.passiveReceived, waterWeight_*ledger.particleVolume))
+    {
+        return;
+    }
+    if (swings_++ % 20 == 0)
+    {
+        WarningInFunction
+            << "particles and fluid answer each other with growing amplitude: "
+            << "the force of the pressure on all particles is now ("
+            << ledger.passiveReceived.x << ' ' << ledger.passiveReceived.y
+            << ' ' << ledger.passiveReceived.z << ") N. Where soft bonds hold "
+            << "them: stiffer bonds, larger coarse cells or smaller fluid "
+            << "steps (dualgrid/doc/stability.md)" << endl;
+    }
 }
 
 
