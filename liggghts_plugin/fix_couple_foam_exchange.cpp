@@ -188,11 +188,12 @@ void FixCoupleFoam::gatherRecords()
   first_ = false;
 }
 
-// bonds answer to a force as springs do, so that the forces of the last step say nothing of those of the next
+// never bonded: bonds answer to a force as springs do, so that the forces of the last step say nothing of those of the
+// next; nor do those on a sphere that has broken loose and sits among bonded ones
 bool FixCoupleFoam::isLoose(int i) const
 {
   for (const Fix *bonds : bonds_)
-    if (bonds->array_atom[i][0] > 0) return false;
+    if (bonds->array_atom[i][1] > 0) return false;  // initial bonds
   return true;
 }
 

@@ -16,8 +16,8 @@ void add(CoarsePhase& sum, const FineFlow& flow, std::size_t f, double volume)
     sum.vorticity += volume * flow.vorticity[f];
 }
 
-/// Less than this share of a coarse cell is round-off of the cutting, or what diffusion has left: nothing is there.
-const double nothing = 1e-12;
+/// Less than this share of a coarse cell is round-off of the cutting: nothing is there.
+const double nothing = 1e-14;
 
 void finish(CoarsePhase& phase, double cellVolume)
 {
@@ -37,7 +37,8 @@ void finish(CoarsePhase& phase, double cellVolume)
 
 } // namespace
 
-void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells& cells, CoarseField<CoarseFluid>& sums)
+void restrictSums(const FineParts& parts, const FineFlow& flow, const Vec3& gravity, const LocalCells& cells,
+                  CoarseField<CoarseFluid>& sums)
 {
     sums.reset(cells);
     for (int row = 0; row < parts.rows(); ++row) {
@@ -54,6 +55,8 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const LocalCells
             sum.waterMoment += water * place;
             sum.fluidVolume += w;
             sum.fluidMass += flow.density[f] * w;
+            sum.pressureGradient += w * (flow.pressureGradient[f] - flow.density[f] * gravity);
+            sum.viscousForce += w * flow.viscousForce[f];
             if (wet > 0)
                 add(sum.water, flow, f, wet * w);
             if (wet < 1)
@@ -68,6 +71,8 @@ void finishAverages(CoarseFluid& cell, double cellVolume)
         cell = CoarseFluid{};
         return;
     }
+    cell.pressureGradient *= 1 / cell.fluidVolume;
+    cell.viscousForce *= 1 / cell.fluidVolume;
     finish(cell.water, cellVolume);
     finish(cell.air, cellVolume);
 }
@@ -83,24 +88,14 @@ void restrictLoad(const FineParts& parts, const FineFlow& flow, const PassiveFor
             if (!(volume > 0))
                 continue;
             const int f = part->fineCell;
-            sum.volume += volume;
             if (forces.pressureGradient) {
-                sum.pressureGradient += volume * (flow.pressureGradient[f] - flow.density[f] * forces.gravity);
+                sum.carried -= volume * (flow.pressureGradient[f] - flow.density[f] * forces.gravity);
                 sum.displaced += volume * flow.density[f];
             }
             if (forces.viscous)
-                sum.viscousForce += volume * flow.viscousForce[f];
+                sum.carried += volume * flow.viscousForce[f];
         }
-        sum.carried = sum.viscousForce - sum.pressureGradient;
     }
-}
-
-void finishAverages(SolidLoad& cell, double cellVolume)
-{
-    if (!(cell.volume > nothing * nothing * cellVolume))
-        return;
-    cell.pressureGradient *= 1 / cell.volume;
-    cell.viscousForce *= 1 / cell.volume;
 }
 
 } // namespace frazil

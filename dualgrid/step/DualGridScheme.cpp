@@ -13,8 +13,9 @@ namespace frazil
 namespace
 {
 
-/// Less water (or air) than this share of a coarse cell is what diffusion leaves far from the surface: nothing is in it.
-const double nothing = 1e-9;
+/// Less water (or air) than this share of a coarse cell is round-off: nothing is in it. Not larger, so that crossing it
+/// changes nothing but round-off.
+const double nothing = 1e-14;
 
 /// Volume and centroid of the mesh in each coarse cell, this rank's share.
 CoarseField<MeshShare> sharesOf(const FineParts& parts, const LocalCells& cells)
@@ -77,7 +78,7 @@ Ledger DualGridScheme::advance(const ParticleView& particles, const FineFlow& fl
 void DualGridScheme::restrictFluid(const FineFlow& flow)
 {
     const PhaseTimer::Scope scope(timer, PhaseTimer::restriction);
-    restrictSums(parts_, flow, cells, fluid);
+    restrictSums(parts_, flow, gravity_, cells, fluid);
     plan_.accumulate(fluid.data());
     for (int c = 0; c < cells.ownedCount(); ++c)
         finishAverages(fluid[c], cells.grid().cellVolume());
@@ -234,12 +235,9 @@ void DualGridScheme::restrictLoads(const FineFlow& flow, Ledger& ledger)
     const PhaseTimer::Scope scope(timer, PhaseTimer::restriction);
     const PassiveForces passive{forces_.pressureGradient(), forces_.viscous(), gravity_};
     restrictLoad(parts_, flow, passive, solidParts_.data(), cells, load_);
-    plan_.accumulate(load_.data());
-    for (int c = 0; c < cells.ownedCount(); ++c) {
-        finishAverages(load_[c], cells.grid().cellVolume());
+    complete(load_);
+    for (int c = 0; c < cells.ownedCount(); ++c)
         ledger.passiveCarried += load_[c].carried - load_[c].displaced * gravity_;
-    }
-    plan_.update(load_.data());
 }
 
 void DualGridScheme::interact(const ParticleView& particles, std::vector<Interaction>& replies, Ledger& ledger)
@@ -269,7 +267,7 @@ LocalFlow DualGridScheme::flowAt(const Place& place) const
         flow.air = phaseAt(place.dry, &CoarseFluid::air);
     flow.water.fluidFraction = flow.air.fluidFraction = 1 - gather(place.solid, solidFraction_);
     for (int n = 0; n < 8; ++n) {
-        const SolidLoad& cell = load_[place.solid.cell[n]];
+        const CoarseFluid& cell = fluid[place.solid.cell[n]];
         flow.pressureGradient += place.solid.weight[n] * cell.pressureGradient;
         flow.viscousForce += place.solid.weight[n] * cell.viscousForce;
     }
@@ -362,8 +360,12 @@ Vec3 DualGridScheme::returnedTo(int cell) const
 {
     if (!settings_.momentumExchange)
         return {};
-    const SolidLoad& load = load_[cell];
-    return spheres_[cell].volume * (load.viscousForce - load.pressureGradient) - load.carried;
+    Vec3 received;
+    if (forces_.pressureGradient())
+        received -= spheres_[cell].volume * fluid[cell].pressureGradient;
+    if (forces_.viscous())
+        received += spheres_[cell].volume * fluid[cell].viscousForce;
+    return received - load_[cell].carried;
 }
 
 /// The rest of the weight, to all of the fluid by its mass.

@@ -1,10 +1,9 @@
 /// The coupling through the coarse grid: the algorithm that CouplingStep.h describes.
 ///
 /// Volume is spread over the open volume, whichever fluid is in it: αs must not move because the water does. Flow is
-/// read from each fluid by itself, weighted by the share of the sphere that is in it (WaterSurface.h). What the fluid's
-/// equations carry for the solid, αs(-∇p + ρg + ∇·τ), is averaged by the fine αs and read with the weights that spread the
-/// volume, so the particles of a coarse cell get exactly that; only clipped solid leaves a difference, given to the fluid
-/// there.
+/// read from each fluid by itself, weighted by the share of the sphere that is in it (WaterSurface.h).
+/// What particles get of ∇p - ρg and ∇·τ, a mean over the coarse cell, and what the fluid's equations carry for their αs
+/// differ by a few per cent, by the mapping and by clipped solid. The difference goes to the fluid, cell by cell.
 /// The weight ρg is that of the fluid in the sphere's own place; the fluid carries αsρg, which is smeared over the surface.
 /// The difference, a few per cent of the buoyancy of what floats, goes to the fluid as one acceleration for all of it:
 /// along gravity, a slightly other weight, that leaves still water still. Cell by cell it would stir it.

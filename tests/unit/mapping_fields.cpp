@@ -57,7 +57,7 @@ struct Case {
     CoarseField<CoarseFluid> restricted() const
     {
         CoarseField<CoarseFluid> fluid;
-        restrictSums(parts, flow(), cells, fluid);
+        restrictSums(parts, flow(), {0, 0, -9.81}, cells, fluid);
         for (int c = 0; c < cells.count(); ++c)
             finishAverages(fluid[c], grid.cellVolume());
         return fluid;
@@ -116,6 +116,7 @@ TEST(Restriction, MeansAreOverTheFluid)
     for (int k = 0; k < c.cells.count(); ++k) {
         EXPECT_NEAR(fluid[k].density(), 1000 * fluid[k].wetFraction() + 1.2 * (1 - fluid[k].wetFraction()), 1e-10);
         EXPECT_NEAR(fluid[k].velocity().y, 2, 1e-14);
+        EXPECT_NEAR(fluid[k].pressureGradient.z, 0, 1e-13 * 9810) << "at rest";
     }
 }
 
@@ -129,7 +130,7 @@ TEST(Restriction, LinearFieldGivesItsValueAtTheFluidsCentroid)
     const double volume[] = {0.25, 0.75}, epsilon[] = {1, 0.5}, density[] = {1, 1}, wet[] = {1, 1};
     const Vec3 velocity[] = {{0.125, 0, 0}, {0.625, 0, 0}}, zero[2] = {};
     CoarseField<CoarseFluid> fluid;
-    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, velocity, zero, zero, zero, zero}, cells, fluid);
+    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, velocity, zero, zero, zero, zero}, {}, cells, fluid);
     finishAverages(fluid[0], 1);
     EXPECT_DOUBLE_EQ(fluid[0].water.velocity.x, 0.425);
     EXPECT_DOUBLE_EQ(fluid[0].openVolume, 1);
@@ -144,7 +145,7 @@ TEST(Restriction, AccelerationWhereTheFluidSetsItAlone)
     const double volume[] = {0.25, 0.75}, epsilon[] = {1, 0.5}, density[] = {1, 1}, wet[] = {1, 1}, share[] = {1, 0};
     const Vec3 acceleration[] = {{3, 0, 0}, {1e6, 0, 0}}, zero[2] = {};
     CoarseField<CoarseFluid> fluid;
-    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, zero, zero, zero, acceleration, zero, share}, cells,
+    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, zero, zero, zero, acceleration, zero, share}, {}, cells,
                  fluid);
     finishAverages(fluid[0], 1);
     EXPECT_DOUBLE_EQ(fluid[0].water.acceleration.x, 3);
@@ -160,14 +161,14 @@ TEST(Restriction, EachFluidHasItsOwnMean)
     const double volume[] = {0.25, 0.75}, epsilon[] = {1, 0.5}, density[] = {1000, 101}, wet[] = {1, 0.1};
     const Vec3 velocity[] = {{0, 0, 0}, {20, 0, 0}}, zero[2] = {};
     CoarseField<CoarseFluid> fluid;
-    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, velocity, zero, zero, zero, zero}, cells, fluid);
+    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, velocity, zero, zero, zero, zero}, {}, cells, fluid);
     finishAverages(fluid[0], 1);
     EXPECT_DOUBLE_EQ(fluid[0].water.volume, 0.25 + 0.1 * 0.375);
     EXPECT_DOUBLE_EQ(fluid[0].water.velocity.x, 20 * 0.0375 / 0.2875);
     EXPECT_DOUBLE_EQ(fluid[0].air.velocity.x, 20);
 }
 
-/// Water at rest below, pushed along x, air above: means by the solid, and what the fine cells carry, beside the weight.
+/// Water at rest below, pushed along x, air above: what the fine cells carry for their solid, beside the weight.
 TEST(Restriction, LoadOfTheSolidIsWhatTheFineCellsCarry)
 {
     const CoarseGrid grid(Box{{0, 0, 0}, {1, 1, 1}}, 1, 1, {});
@@ -179,13 +180,9 @@ TEST(Restriction, LoadOfTheSolidIsWhatTheFineCellsCarry)
     CoarseField<SolidLoad> load;
     const FineFlow flow{2, volume, epsilon, nullptr, density, wet, zero, gradient, viscous, zero, zero};
     restrictLoad(parts, flow, {true, true, {0, 0, -10}}, solid, cells, load);
-    finishAverages(load[0], 1);
-    EXPECT_DOUBLE_EQ(load[0].volume, 0.1);
-    EXPECT_DOUBLE_EQ(load[0].pressureGradient.x, 1.8);
-    EXPECT_DOUBLE_EQ(load[0].pressureGradient.z, 0);
-    EXPECT_DOUBLE_EQ(load[0].viscousForce.y, 4.2);
     EXPECT_DOUBLE_EQ(load[0].carried.x, -0.18);
     EXPECT_DOUBLE_EQ(load[0].carried.y, 0.42);
+    EXPECT_DOUBLE_EQ(load[0].carried.z, 0);
     EXPECT_DOUBLE_EQ(load[0].displaced, 60.04);
 }
 
