@@ -189,7 +189,7 @@ void FixCoupleFoam::gatherRecords()
 }
 
 // never bonded: bonds answer to a force as springs do, so that the forces of the last step say nothing of those of the
-// next; nor do those on a sphere that has broken loose and sits among bonded ones
+// next; nor do those on a sphere that has broken loose and is pushed among bonded ones
 bool FixCoupleFoam::isLoose(int i) const
 {
   for (const Fix *bonds : bonds_)

@@ -48,6 +48,16 @@ vector pressureOnBoundary(const surfaceScalarField& pf)
     return returnReduce(sum, sumOp<vector>());
 }
 
+vector total(const std::vector<frazil::BodyLoad>& loads)
+{
+    vector sum(Zero);
+    for (const frazil::BodyLoad& load : loads)
+    {
+        sum += vector(load.force[0], load.force[1], load.force[2]);
+    }
+    return sum;
+}
+
 } // End anonymous namespace
 
 
@@ -106,6 +116,52 @@ void momentumBudget::balance(const fluidForces& forces)
 }
 
 
+scalarField momentumBudget::outsideBodies(const immersedBodies* bodies) const
+{
+    scalarField outside(open_.fraction().size(), 1);
+    if (bodies)
+    {
+        outside -= bodies->gamma().primitiveField();
+    }
+    return outside;
+}
+
+
+vector momentumBudget::splitting(const immersedBodies* bodies) const
+{
+    const scalarField& V = open_.fraction().mesh().V();
+    vector sum(Zero);
+    forAll(V, celli)
+    {
+        if (!bodies || bodies->bodyOf()[celli] < 0)
+        {
+            sum += V[celli]*byBodies_()[celli];
+        }
+    }
+    return returnReduce(sum, sumOp<vector>());
+}
+
+
+vector momentumBudget::gradient
+(
+    const surfaceScalarField& pf,
+    const volVectorField& gradP,
+    const immersedBodies* bodies
+) const
+{
+    const scalarField taken(outsideBodies(bodies)*pf.mesh().V());
+    vector sum(Zero);
+    forAll(taken, celli)
+    {
+        if (!bodies || !touchedByBody(*bodies, celli))
+        {
+            sum += pressureNotTaken(pf, taken[celli]*gradP[celli], celli);
+        }
+    }
+    return returnReduce(sum, sumOp<vector>());
+}
+
+
 void momentumBudget::report
 (
     const volVectorField& U,
@@ -115,51 +171,26 @@ void momentumBudget::report
     const std::vector<frazil::BodyLoad>& loads
 ) const
 {
-    const fvMesh& mesh = U.mesh();
-    const scalarField& V = mesh.V();
-    const vectorField& gradP = forces.gradP().primitiveField();
-    const vectorField& stress = stress_().primitiveField();
+    const scalarField& V = U.mesh().V();
     const scalarField& epsilon = open_.fraction().primitiveField();
+    const vectorField& stress = stress_().primitiveField();
     const surfaceScalarField pf(fvc::interpolate(p));
-
-    scalarField outside(V.size(), 1);  // 1 - γ
-    vector splitting(Zero);
-    vector gradient(Zero);
-    forAll(V, celli)
-    {
-        if (bodies)
-        {
-            outside[celli] -= bodies->gamma()[celli];
-        }
-        if (!bodies || bodies->bodyOf()[celli] < 0)
-        {
-            splitting += V[celli]*byBodies_()[celli];
-        }
-        if (!bodies || !touchedByBody(*bodies, celli))
-        {
-            gradient += pressureNotTaken(pf, outside[celli]*V[celli]*gradP[celli], celli);
-        }
-    }
-    reduce(splitting, sumOp<vector>());
-    reduce(gradient, sumOp<vector>());
-
-    vector onBodies(Zero);
-    for (const frazil::BodyLoad& load : loads)
-    {
-        onBodies += vector(load.force[0], load.force[1], load.force[2]);
-    }
+    const scalarField byParticles(outsideBodies(bodies) - epsilon);
 
     const vector change = gSum(V*open_.momentumChange(U));
     const vector boundary = gSum(V*stress) - outflow_ - pressureOnBoundary(pf);
     const vector weight = gSum(V*epsilon*forces.weight().primitiveField());
     const vector tension = gSum(V*epsilon*forces.tension().primitiveField());
     const vector particles = gSum(V*forces.particles);
-    const vector solid = -gSum(V*(outside - epsilon)*(stress - gradP));
-    const vector error = change - boundary - weight - tension - particles - solid + onBodies - splitting + gradient;
+    const vector solid = gSum(V*byParticles*(forces.gradP().primitiveField() - stress));
+    const vector byBodies = -total(loads);
+    const vector split = splitting(bodies);
+    const vector grad = -gradient(pf, forces.gradP(), bodies);
+    const vector error = change - (boundary + weight + tension + particles + solid + byBodies + split + grad);
 
     Info<< "Momentum budget: change " << change << " boundary " << boundary << " weight " << weight
-        << " tension " << tension << " particles " << particles << " solid " << solid << " bodies " << -onBodies
-        << " splitting " << splitting << " gradient " << -gradient << " error " << error << endl;
+        << " tension " << tension << " particles " << particles << " solid " << solid << " bodies " << byBodies
+        << " splitting " << split << " gradient " << grad << " error " << error << endl;
 }
 
 } // End namespace Foam
