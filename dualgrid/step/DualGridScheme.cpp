@@ -38,7 +38,8 @@ DualGridScheme::DualGridScheme(const CouplingSettings& settings, ForceModel forc
                                const Phase& air, const Vec3& gravity, const CoarseGrid& grid, MPI_Comm comm)
     : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), gravity_(gravity),
       comm_(comm), plan_(cells, comm), solidProlongation_(settings.prolongation),
-      forceProlongation_(settings.prolongation), filled_(cells)
+      forceProlongation_(settings.prolongation), filled_(cells),
+      meshVolume_(cells)
 {
 }
 
@@ -50,8 +51,11 @@ void DualGridScheme::setParts(const std::vector<FinePiece>& pieces)
     CoarseField<MeshShare> shares = sharesOf(parts_, cells);
     complete(shares);
     filled_.reset(cells);
-    for (int c = 0; c < cells.count(); ++c)
+    meshVolume_.reset(cells);
+    for (int c = 0; c < cells.count(); ++c) {
         filled_[c] = filledBox(cells.grid().cellBox(cells.grid().index(cells.global(c))), shares[c]);
+        meshVolume_[c] = shares[c].volume;
+    }
 }
 
 Ledger DualGridScheme::advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
@@ -83,7 +87,7 @@ void DualGridScheme::restrictFluid(const FineFlow& flow)
     for (int c = 0; c < cells.ownedCount(); ++c)
         finishAverages(fluid[c], cells.grid().cellVolume());
     plan_.update(fluid.data());
-    for (CoarseField<double>* field : {&openVolume_, &openWater_, &openAir_, &fluidMass_})
+    for (CoarseField<double>* field : {&openVolume_, &solidWindow_, &openWater_, &openAir_, &fluidMass_})
         field->reset(cells);
     const double least = nothing * cells.grid().cellVolume();
     for (int c = 0; c < cells.count(); ++c) {
@@ -94,6 +98,7 @@ void DualGridScheme::restrictFluid(const FineFlow& flow)
         // The open volume, not the fluid's: spheres displace the fluid around them, and what is free of them elsewhere
         // would draw more than its share
         openVolume_[c] = here.openVolume;
+        solidWindow_[c] = here.openVolume > least ? meshVolume_[c] : 0;
         openWater_[c] = here.openWater > least ? here.openWater : 0;
         openAir_[c] = here.openAir() > least ? here.openAir() : 0;
     }
@@ -134,7 +139,7 @@ DualGridScheme::Place DualGridScheme::placeOf(const ParticleView& particles, std
     place.solid = place.wet = place.dry = place.mass = stencilOf(cells, particles.position[particle]);
     const double water = gather(place.wet, openWater_), air = gather(place.dry, openAir_);
     const bool inWater = reweigh(place.wet, openWater_), inAir = reweigh(place.dry, openAir_);
-    reweigh(place.solid, openVolume_);
+    reweigh(place.solid, solidWindow_);
     reweigh(place.mass, fluidMass_);
     const SphereShare share = shareOfSphere(particles.position[particle], particles.radius[particle], cells, filled_,
                                             fluid, surface_);

@@ -1,6 +1,7 @@
 /// The coupling through the coarse grid: the algorithm that CouplingStep.h describes.
 ///
-/// Volume is spread over the open volume, whichever fluid is in it: αs must not move because the water does. Flow is
+/// Volume is spread over the mesh's volume, whichever fluid is in it, and whether or not a body is: αs must not move because
+/// they do. Within the coarse cell it leaves the body out. Flow is
 /// read from each fluid by itself, weighted by the share of the sphere that is in it (WaterSurface.h).
 /// What particles get of ∇p - ρg and ∇·τ, a mean over the coarse cell, and what the fluid's equations carry for their αs
 /// differ by a few per cent, by the mapping and by clipped solid. The difference goes to the fluid, cell by cell.
@@ -32,7 +33,7 @@ class DualGridScheme : public CouplingScheme
   private:
     /// A particle on the coarse grid.
     struct Place {
-        Stencil solid;   ///< weighted by open volume: where its volume is
+        Stencil solid;   ///< weighted by volume: where its own volume is
         Stencil wet;     ///< by open water: where its share in the water sees the flow
         Stencil dry;     ///< by open air
         Stencil mass;    ///< by fluid mass: where its reaction goes; at the surface the water, not the air above it
@@ -87,7 +88,9 @@ class DualGridScheme : public CouplingScheme
     Prolongation<double> solidProlongation_;
     Prolongation<Vec3> forceProlongation_;
 
-    CoarseField<Box> filled_; ///< part of each cell that is in the mesh
+    CoarseField<Box> filled_;          ///< part of each cell that is in the mesh
+    CoarseField<double> meshVolume_;   ///< of it [m3]
+    CoarseField<double> solidWindow_;  ///< meshVolume_ of the cells that hold fluid [m3]
     CoarseField<double> openVolume_, openWater_, openAir_; ///< of the cells that hold fluid [m3]
     CoarseField<Spheres> spheres_;
     CoarseField<double> solidFraction_; ///< αs of the open volume [-]
