@@ -455,6 +455,26 @@ TEST(CouplingStep, OneWayGivesTheFluidNothing)
     EXPECT_EQ(norm(run.ledger.given), 0);
 }
 
+/// Impulse that waits for fluid goes on from a list as a restart file has it: of all ranks, in any order.
+TEST(CouplingStep, WaitingImpulseSurvivesARestart)
+{
+    const Settings settings("constant/couplingProperties", "");
+    Coupling before(MPI_COMM_WORLD, settings), after(MPI_COMM_WORLD, settings);
+    before.advance(3.2, 0); // a part of the grid is dry
+    Vec3 waiting;
+    for (const CarriedImpulse& one : before.step.carried())
+        waiting += one.impulse;
+    waiting = sumOver(MPI_COMM_WORLD, waiting);
+    expectSame(waiting, before.ledger.unplaced, before.ledger.impulseScale);
+    EXPECT_GT(norm(waiting), 0);
+
+    std::vector<CarriedImpulse> list = before.step.carried();
+    list.push_back({1000000, {1, 1, 1}}); // another rank's cell: not ours
+    after.step.setCarried(list);
+    after.advance(6, 1);
+    expectSame(after.ledger.carriedIn, waiting, before.ledger.impulseScale);
+}
+
 TEST(CouplingStep, NamesTheParticleThatIsNotHere)
 {
     const Settings settings("constant/couplingProperties", "");
