@@ -9,7 +9,8 @@
 ///
 /// At a surface each fluid acts on the share w of the sphere that is in it, with its own velocity and acceleration:
 /// w f(water) + (1-w) f(air). A mixture's ν = μ/ρ would be that of neither, and the mean velocity of a wind and of the
-/// still water below would push a submerged sphere with 800 times the wind's density. Cost: a few pow per particle. The drag law is chosen once per loop (withDrag), not per particle.
+/// still water below would push a submerged sphere with 800 times the wind's density.
+/// Cost: a few pow per particle. The drag law is chosen once per loop (withDrag), not per particle.
 #pragma once
 
 #include <utility>

@@ -118,9 +118,8 @@ WaterSurface surfaceIn(const Box& cell, const CoarseFluid& fluid)
     return surface;
 }
 
-SphereShare shareOfSphere(const Vec3& centre, double radius, const LocalCells& cells,
-                          const CoarseField<Box>& filled, const CoarseField<CoarseFluid>& fluid,
-                          const CoarseField<WaterSurface>& surface)
+SphereShare shareOfSphere(const Vec3& centre, double radius, const LocalCells& cells, const CoarseField<Box>& filled,
+                          const CoarseField<CoarseFluid>& fluid, const CoarseField<WaterSurface>& surface)
 {
     const double half = 0.5 * std::cbrt(4.0 / 3 * 3.14159265358979323846) * radius;
     const Box cube{centre - Vec3{half, half, half}, centre + Vec3{half, half, half}};

@@ -52,8 +52,7 @@ struct SphereShare {
 /// moves: through the surface, and across the edge of the mesh. Cells without fluid are left out of `inWater`.
 /// @param centre, radius  [m]; the diameter is at most the coarse cell's size
 /// @param filled          part of each cell that is in the mesh
-SphereShare shareOfSphere(const Vec3& centre, double radius, const LocalCells& cells,
-                          const CoarseField<Box>& filled, const CoarseField<CoarseFluid>& fluid,
-                          const CoarseField<WaterSurface>& surface);
+SphereShare shareOfSphere(const Vec3& centre, double radius, const LocalCells& cells, const CoarseField<Box>& filled,
+                          const CoarseField<CoarseFluid>& fluid, const CoarseField<WaterSurface>& surface);
 
 } // namespace frazil

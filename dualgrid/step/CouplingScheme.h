@@ -140,7 +140,8 @@ inline ResponseSums responseOf(const ParticleState& state, const ParticleMotion&
     const Vec3 drive = motion.otherForce + force.passiveForce +
                        force.dragCoefficient * (force.fluidVelocity - state.velocity) +
                        force.addedMass * force.fluidAcceleration;
-    return {volume,  motion.mass, force.addedMass, force.dragCoefficient, density * volume, drive, volume * motion.reference};
+    return {volume,           motion.mass, force.addedMass,          force.dragCoefficient,
+            density * volume, drive,       volume * motion.reference};
 }
 
 } // namespace frazil

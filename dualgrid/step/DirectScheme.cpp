@@ -140,8 +140,8 @@ std::vector<DirectScheme::Visitor> DirectScheme::depart(const ParticleView& part
         }
         solidVolume[home] += volume;
         impulse[home] += carried_[home];
-        visitors.push_back({particles.id[i], places[i].fineCell, volume, carried_[home],
-                            stateOf(particles, i, 1), motion});
+        visitors.push_back(
+            {particles.id[i], places[i].fineCell, volume, carried_[home], stateOf(particles, i, 1), motion});
         carried_[home] = Vec3{};
         to.push_back(places[i].rank);
         who.push_back(i);

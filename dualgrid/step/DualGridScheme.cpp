@@ -38,8 +38,7 @@ DualGridScheme::DualGridScheme(const CouplingSettings& settings, ForceModel forc
                                const Phase& air, const Vec3& gravity, const CoarseGrid& grid, MPI_Comm comm)
     : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), gravity_(gravity),
       comm_(comm), plan_(cells, comm), solidProlongation_(settings.prolongation),
-      forceProlongation_(settings.prolongation), filled_(cells),
-      meshVolume_(cells)
+      forceProlongation_(settings.prolongation), filled_(cells), meshVolume_(cells)
 {
 }
 
@@ -63,16 +62,16 @@ Ledger DualGridScheme::advance(const ParticleView& particles, const FineFlow& fl
 {
     Ledger ledger;
     source.reset(flow.count);
-    restrictFluid(flow);                          // fine -> coarse: averages of water and air
-    place(particles, ledger);                     // particles: their shares in water, in air, in the mesh; their windows
-    project(particles, ledger);                   // particles -> coarse: solid volume, impulse
-    prolongSolid(flow, source);                   // coarse -> fine: αs
-    restrictLoads(flow, ledger);                  // fine -> coarse: what the fluid carries for the solid
-    interact(particles, replies, ledger);         // coarse -> particles: local flow, force laws
-    respond(particles, deltaT, replies, ledger);  // how the pressure will answer to their motion
-    spreadReaction(particles, replies);           // particles -> coarse: drag and added mass
-    prolongForce(flow, deltaT, source, ledger);   // coarse -> fine: force on the fluid
-    prolongReaction(flow, source);                // coarse -> fine: drag and added mass
+    restrictFluid(flow);                         // fine -> coarse: averages of water and air
+    place(particles, ledger);                    // particles: their shares in water, in air, in the mesh; their windows
+    project(particles, ledger);                  // particles -> coarse: solid volume, impulse
+    prolongSolid(flow, source);                  // coarse -> fine: αs
+    restrictLoads(flow, ledger);                 // fine -> coarse: what the fluid carries for the solid
+    interact(particles, replies, ledger);        // coarse -> particles: local flow, force laws
+    respond(particles, deltaT, replies, ledger); // how the pressure will answer to their motion
+    spreadReaction(particles, replies);          // particles -> coarse: drag and added mass
+    prolongForce(flow, deltaT, source, ledger);  // coarse -> fine: force on the fluid
+    prolongReaction(flow, source);               // coarse -> fine: drag and added mass
     returnWeight(particles, flow, source, ledger); // to all of the fluid
     ledger.addFine(flow, source.solidFraction, source.force, deltaT);
     ledger.sumOver(comm_);
@@ -141,8 +140,8 @@ DualGridScheme::Place DualGridScheme::placeOf(const ParticleView& particles, std
     const bool inWater = reweigh(place.wet, openWater_), inAir = reweigh(place.dry, openAir_);
     reweigh(place.solid, solidWindow_);
     reweigh(place.mass, fluidMass_);
-    const SphereShare share = shareOfSphere(particles.position[particle], particles.radius[particle], cells, filled_,
-                                            fluid, surface_);
+    const SphereShare share =
+        shareOfSphere(particles.position[particle], particles.radius[particle], cells, filled_, fluid, surface_);
     place.presence = inWater || inAir ? share.inMesh : 0;
     place.wetShare = !inAir ? 1 : !inWater ? 0 : share.dry ? water / (water + air) : share.inWater;
     if (place.wetShare < nothing || place.wetShare > 1 - nothing)

@@ -88,14 +88,14 @@ class DualGridScheme : public CouplingScheme
     Prolongation<double> solidProlongation_;
     Prolongation<Vec3> forceProlongation_;
 
-    CoarseField<Box> filled_;          ///< part of each cell that is in the mesh
-    CoarseField<double> meshVolume_;   ///< of it [m3]
-    CoarseField<double> solidWindow_;  ///< meshVolume_ of the cells that hold fluid [m3]
+    CoarseField<Box> filled_;                              ///< part of each cell that is in the mesh
+    CoarseField<double> meshVolume_;                       ///< of it [m3]
+    CoarseField<double> solidWindow_;                      ///< meshVolume_ of the cells that hold fluid [m3]
     CoarseField<double> openVolume_, openWater_, openAir_; ///< of the cells that hold fluid [m3]
     CoarseField<Spheres> spheres_;
     CoarseField<double> solidFraction_; ///< αs of the open volume [-]
     std::vector<double> solidParts_;    ///< volume of the solid per part [m3]
-    CoarseField<double> fluidMass_;   ///< [kg]
+    CoarseField<double> fluidMass_;     ///< [kg]
     CoarseField<WaterSurface> surface_;
     CoarseField<char> needed_; ///< cells whose surface a sphere asks for
     CoarseField<SolidLoad> load_;

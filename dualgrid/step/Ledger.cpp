@@ -33,7 +33,7 @@ void Ledger::addFine(const FineFlow& flow, const std::vector<double>& solidFract
 
 void Ledger::sumOver(MPI_Comm comm)
 {
-    double* const numbers[] = {&particleVolume, &absentVolume,  &coarseVolume, &fineVolume,
+    double* const numbers[] = {&particleVolume, &absentVolume, &coarseVolume, &fineVolume,
                                &clippedVolume,  &impulseScale, &passiveScale};
     Vec3* const vectors[] = {&received,        &carriedIn,      &coarseImpulse,   &given,   &unplaced,
                              &passiveReceived, &passiveCarried, &passiveReturned, &response};

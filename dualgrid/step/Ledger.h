@@ -27,8 +27,8 @@ struct Ledger {
     Vec3 received;      ///< by the particles, since the last exchange
     Vec3 carriedIn;     ///< left over from the step before
     Vec3 coarseImpulse; ///< on the coarse grid after projection, carriedIn included
-    Vec3 given;         ///< to the fine mesh in the coming step, sign of the particles' (force on fluid = -given/Δt - returned)
-    Vec3 unplaced;      ///< in coarse cells without fluid, tried again next step
+    Vec3 given; ///< to the fine mesh in the coming step, sign of the particles' (force on fluid = -given/Δt - returned)
+    Vec3 unplaced; ///< in coarse cells without fluid, tried again next step
     /// Prediction that the fluid has got ahead and gives back in the coming step (CouplingStep.h), sign of the
     /// particles'. Set by the host after advance(), summed over the ranks already.
     Vec3 held;

@@ -6,6 +6,7 @@
 
 #include "DragLaws.h"
 #include "ForceModel.h"
+#include "PressureResponse.h"
 #include "InputError.h"
 
 using namespace frazil;
@@ -191,6 +192,36 @@ TEST(ForceModel, ShieldingScalesDragAndAddedMassOnly)
     EXPECT_DOUBLE_EQ(part.addedMass, 0.25 * full.addedMass);
     EXPECT_EQ(part.passiveForce.z, full.passiveForce.z);
     EXPECT_EQ(model({})(flow, shielded, water, air).dragCoefficient, full.dragCoefficient);
+}
+
+/// 1 m3 of spheres of 900 kg/m3 in a bed with ε = 0.4: shut-in water of 1000 kg/m3 has the inertia 1000 0.6/0.4 = 1500 kg.
+TEST(PressureResponse, ShutInWaterIsAnInertia)
+{
+    ResponseSums sums;
+    sums.volume = 1, sums.mass = 900, sums.displaced = 1000;
+    sums.drive = {2400, 0, 0};
+    EXPECT_DOUBLE_EQ(pressureResponse(sums, 0.4, 0.1).x, -1500); // 1 m/s2
+    sums.drive = {900, 0, 0};
+    sums.reference = {1, 0, 0}; // ∇p knows it: the particles go on accelerating so
+    EXPECT_NEAR(pressureResponse(sums, 0.4, 0.1).x, 0, 1e-12);
+}
+
+/// ... with added mass 500 (1/0.16 - 1) = 2625 kg more, and drag of 200 kg/s, 200 5.25 0.1 = 105 kg.
+TEST(PressureResponse, AddedMassAndDragAnswerToo)
+{
+    ResponseSums sums;
+    sums.volume = 2, sums.mass = 900, sums.addedMass = 500, sums.displaced = 1000, sums.drag = 200;
+    sums.drive = {0, 900 + 500 + 1500 + 2625 + 20 + 105, 0};
+    EXPECT_NEAR(pressureResponse(sums, 0.4, 0.1).y, -(1500 + 2625 + 105) / 2.0, 1e-10);
+}
+
+TEST(PressureResponse, NothingInFreeFluidOrWithoutParticles)
+{
+    ResponseSums sums;
+    EXPECT_EQ(norm(pressureResponse(sums, 0.4, 0.1)), 0);
+    sums.volume = 1, sums.mass = 900, sums.addedMass = 500, sums.displaced = 1000, sums.drag = 200;
+    sums.drive = {1000, 0, 0};
+    EXPECT_EQ(pressureResponse(sums, 1, 0.1).x, 0);
 }
 
 TEST(ForceModel, NothingMovesNothingBreaks)

@@ -130,7 +130,8 @@ TEST(Restriction, LinearFieldGivesItsValueAtTheFluidsCentroid)
     const double volume[] = {0.25, 0.75}, epsilon[] = {1, 0.5}, density[] = {1, 1}, wet[] = {1, 1};
     const Vec3 velocity[] = {{0.125, 0, 0}, {0.625, 0, 0}}, zero[2] = {};
     CoarseField<CoarseFluid> fluid;
-    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, velocity, zero, zero, zero, zero}, {}, cells, fluid);
+    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, velocity, zero, zero, zero, zero}, {}, cells,
+                 fluid);
     finishAverages(fluid[0], 1);
     EXPECT_DOUBLE_EQ(fluid[0].water.velocity.x, 0.425);
     EXPECT_DOUBLE_EQ(fluid[0].openVolume, 1);
@@ -145,8 +146,8 @@ TEST(Restriction, AccelerationWhereTheFluidSetsItAlone)
     const double volume[] = {0.25, 0.75}, epsilon[] = {1, 0.5}, density[] = {1, 1}, wet[] = {1, 1}, share[] = {1, 0};
     const Vec3 acceleration[] = {{3, 0, 0}, {1e6, 0, 0}}, zero[2] = {};
     CoarseField<CoarseFluid> fluid;
-    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, zero, zero, zero, acceleration, zero, share}, {}, cells,
-                 fluid);
+    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, zero, zero, zero, acceleration, zero, share}, {},
+                 cells, fluid);
     finishAverages(fluid[0], 1);
     EXPECT_DOUBLE_EQ(fluid[0].water.acceleration.x, 3);
     EXPECT_DOUBLE_EQ(fluid[0].water.accelerated, 0.25 / 0.625);
@@ -161,7 +162,8 @@ TEST(Restriction, EachFluidHasItsOwnMean)
     const double volume[] = {0.25, 0.75}, epsilon[] = {1, 0.5}, density[] = {1000, 101}, wet[] = {1, 0.1};
     const Vec3 velocity[] = {{0, 0, 0}, {20, 0, 0}}, zero[2] = {};
     CoarseField<CoarseFluid> fluid;
-    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, velocity, zero, zero, zero, zero}, {}, cells, fluid);
+    restrictSums(parts, {2, volume, epsilon, nullptr, density, wet, velocity, zero, zero, zero, zero}, {}, cells,
+                 fluid);
     finishAverages(fluid[0], 1);
     EXPECT_DOUBLE_EQ(fluid[0].water.volume, 0.25 + 0.1 * 0.375);
     EXPECT_DOUBLE_EQ(fluid[0].water.velocity.x, 20 * 0.0375 / 0.2875);
