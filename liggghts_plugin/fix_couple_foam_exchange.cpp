@@ -110,19 +110,21 @@ void FixCoupleFoam::exchange()
 frazil::StepReport FixCoupleFoam::report()
 {
   const double pi = 3.14159265358979323846;
-  double mine[5] = {0, impulse_.x, impulse_.y, impulse_.z, 0}, sum[5];
+  double mine[8] = {0, impulse_.x, impulse_.y, impulse_.z, 0, 0, 0, 0}, sum[8];
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double r = atom->radius[i];
     mine[0] += 4.0 / 3.0 * pi * r * r * r;
     mine[4] += 1;
+    for (int d = 0; d < 3; d++) mine[5 + d] += atom->rmass[i] * atom->v[i][d];
   }
-  MPI_Allreduce(mine, sum, 5, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(mine, sum, 8, MPI_DOUBLE, MPI_SUM, world);
   frazil::StepReport r;
   r.time = update->ntimestep * dt_;
   r.solidVolume = sum[0];
   r.impulse = vec(sum + 1);
   r.particles = std::int64_t(sum[4]);
+  r.momentum = vec(sum + 5);
   return r;
 }
 

@@ -26,12 +26,6 @@ def steps(run):
     return rows
 
 
-def particles_momentum(run, time, mass):
-    """Of all particles at a time, from dem/plate.csv [N s]."""
-    plate = checks.table(run / "dem/plate.csv")
-    return mass * checks.at(time, plate["time"], plate["vy"])
-
-
 def exchanged(ledger, n, deltaT):
     """What the particles got over n steps by their own account [N s]: drag and added mass, passive with response."""
     impulse = sum(ledger["impulseReceivedY"][1:n + 1])
@@ -59,7 +53,7 @@ def check(run, result, particle_density, body_mass, gravity=9.81):
 
     mass = particle_density * ledger["volumeParticles"][0]
     body = body_mass * (history["vy"][n] - history["vy"][0])
-    particles = particles_momentum(run, end, mass)
+    particles = ledger["demMomentumY"][n] - ledger["demMomentumY"][0]
     dragged, passive = exchanged(ledger, n, deltaT)
     on_way = {
         "reported late": dragged - sum(ledger["impulseFineY"][:n]),

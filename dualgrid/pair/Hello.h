@@ -15,7 +15,7 @@ namespace frazil
 {
 
 /// Version of the messages; raised when a record or its meaning changes.
-constexpr std::int64_t messageVersion = 2;
+constexpr std::int64_t messageVersion = 3;
 
 struct BodyHello {
     std::string name;

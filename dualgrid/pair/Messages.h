@@ -40,6 +40,7 @@ struct StepReport {
     double time = 0;        ///< DEM time [s]
     double solidVolume = 0; ///< Σ V_p over all particles of the group [m3]
     Vec3 impulse;           ///< Σ impulse over them, lost ones included [N s]
+    Vec3 momentum;          ///< Σ m v over them [N s]
     std::int64_t particles = 0;
     std::int64_t finish = 0; ///< 1: frazilDem has reached its end, no step follows
 };

@@ -54,7 +54,7 @@ frazil::Box coarseBox(const frazil::Settings& settings)
 //- Names of the columns that transport() fills
 const char* const transportHeader =
     ",demParticles,particlesLost,demVolume,demImpulseX,demImpulseY,demImpulseZ,"
-    "volumeErrorTransport,impulseErrorTransport";
+    "demMomentumX,demMomentumY,demMomentumZ,volumeErrorTransport,impulseErrorTransport";
 
 
 //- What arrived, summed over the fluid ranks
@@ -184,13 +184,16 @@ std::string Foam::pairExchange::transport
     arrivedBefore_ = here.particles;
     return fmt::format
     (
-        ",{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g},{:.3g}",
+        ",{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g},{:.3g}",
         report.particles,
         before - here.particles,
         report.solidVolume,
         report.impulse.x,
         report.impulse.y,
         report.impulse.z,
+        report.momentum.x,
+        report.momentum.y,
+        report.momentum.z,
         relative(std::abs(here.volume - report.solidVolume), report.solidVolume),
         relative(norm(here.impulse - report.impulse), here.impulseScale)
     );

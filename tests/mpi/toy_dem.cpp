@@ -70,6 +70,7 @@ int main(int argc, char** argv)
             step * 1e-3,
             0,
             {},
+            {},
             particles,
             0,
         });
