@@ -53,21 +53,23 @@ int FixCoupleFoam::unpack_exchange(int i, double *buf)
 }
 
 /* ----------------------------------------------------------------------
-   restart: the fluid time, and per particle the same as in an exchange
+   restart: the fluid time, the fluid step that has just ended, and per particle the same as in an exchange
 ------------------------------------------------------------------------- */
 
 void FixCoupleFoam::write_restart(FILE *fp)
 {
-  const double time = fluidTimeNow();
+  const double state[2] = {fluidTimeNow(), lastDeltaT_};
   if (comm->me != 0) return;
-  const int size = sizeof(time);
+  const int size = sizeof(state);
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&time, sizeof(double), 1, fp);
+  fwrite(state, sizeof(double), 2, fp);
 }
 
 void FixCoupleFoam::restart(char *buf)
 {
   memcpy(&restartTime_, buf, sizeof(double));
+  memcpy(&lastDeltaT_, buf + sizeof(double), sizeof(double));
+  first_ = !(lastDeltaT_ > 0);
 }
 
 int FixCoupleFoam::pack_restart(int i, double *buf)

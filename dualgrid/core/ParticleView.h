@@ -6,7 +6,8 @@
 
 #include "Vec3.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// How a sphere has moved over the last fluid step, for the prediction of its answer to the pressure (PressureResponse.h).
 struct ParticleMotion {
