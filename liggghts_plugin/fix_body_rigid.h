@@ -1,7 +1,7 @@
 /* fix ID all body/rigid: a closed surface mesh that moves as a rigid body with six degrees of freedom under
    contact with particles, gravity and the load of the fluid.
 
-   Equations and integration: rigid_motion.h. Order within one DEM step:
+   Equations and integration: RigidMotion.h. Order within one DEM step:
      initial_integrate  half kick with the old forces; pose advances; mesh nodes, node velocities "v" (those of the
                         half step, as the particles') and the torque's reference point follow
      pre_force          the mesh zeroes its force (stock)
@@ -20,7 +20,7 @@
 #include "ClosedSurface.h"
 #include "coupled_body.h"
 #include "fix.h"
-#include "rigid_motion.h"
+#include "RigidMotion.h"
 
 namespace LAMMPS_NS {
 

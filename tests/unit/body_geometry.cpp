@@ -5,9 +5,9 @@
 #include <random>
 
 #include "BodyShapes.h"
-#include "cellCutting.H"
-#include "signedDistanceLattice.H"
-#include "surfaceDistance.H"
+#include "CellCutting.h"
+#include "DistanceLattice.h"
+#include "SurfaceDistance.h"
 
 using namespace frazil;
 
@@ -25,7 +25,7 @@ template <class Distance> double cubeShare(const Vec3& corner, double size, cons
         d[i] = distance(p[i]);
     }
     const Vec3 middle = corner + 0.5 * size * Vec3{1, 1, 1};
-    cutCell cell(middle, distance(middle));
+    CutCell cell(middle, distance(middle));
     for (const auto& f : cubeFaces) {
         const Vec3 points[4] = {p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
         const double distances[4] = {d[f[0]], d[f[1]], d[f[2]], d[f[3]]};
@@ -59,7 +59,7 @@ struct Smoothness {
 // The body shifted through one cell in `steps` steps along a direction that is no mesh direction
 Smoothness volumeErrors(const std::vector<Triangle>& triangles, double size, double spacing, const Vec3& way, int steps)
 {
-    signedDistanceLattice lattice(boundsOf(triangles), spacing, 4 * size);
+    DistanceLattice lattice(boundsOf(triangles), spacing, 4 * size);
     lattice.compute(joinCorners(triangles));
     const auto distance = [&](const Vec3& p) { return lattice.distance(p); };
     const double exact = massProperties(triangles, 1).volume;
@@ -114,7 +114,7 @@ TEST(CellCutting, PlaneThroughACube)
 
 TEST(SurfaceDistance, BoxInsideOutsideAndAtItsEdges)
 {
-    const surfaceDistance distance(joinCorners(shapes::box({0, 0, 0}, {1, 1, 1})));
+    const SurfaceDistance distance(joinCorners(shapes::box({0, 0, 0}, {1, 1, 1})));
     EXPECT_NEAR(distance({0.5, 0.5, 0.2}), -0.2, 1e-15);
     EXPECT_NEAR(distance({0.5, 0.5, 3}), 2, 1e-15);
     EXPECT_NEAR(distance({2, 2, 0.5}), std::sqrt(2.0), 1e-15);
@@ -123,7 +123,7 @@ TEST(SurfaceDistance, BoxInsideOutsideAndAtItsEdges)
 
 TEST(SurfaceDistance, SphereAgainstItsFormula)
 {
-    const surfaceDistance distance(joinCorners(shapes::sphere(1, 64)));
+    const SurfaceDistance distance(joinCorners(shapes::sphere(1, 64)));
     std::mt19937 random(2);
     std::uniform_real_distribution<double> at(-1.5, 1.5);
     for (int i = 0; i < 2000; ++i) {
@@ -136,7 +136,7 @@ TEST(SignedDistanceLattice, PartsAddUpAndNormalPointsOut)
 {
     const auto triangles = shapes::sphere(1, 32);
     const IndexedSurface surface = joinCorners(triangles);
-    signedDistanceLattice whole(boundsOf(triangles), 0.1, 0.4), part0(whole), part1(whole);
+    DistanceLattice whole(boundsOf(triangles), 0.1, 0.4), part0(whole), part1(whole);
     whole.compute(surface);
     part0.compute(surface, 0, 2);
     part1.compute(surface, 1, 2);
@@ -153,9 +153,9 @@ TEST(SignedDistanceLattice, RoundsEdgesAndKeepsFacesAndVolume)
 {
     const auto triangles = shapes::box({-1, -1, -1}, {1, 1, 1});
     const double width = 0.1;
-    signedDistanceLattice sharp(boundsOf(triangles), 0.04, 0.5);
+    DistanceLattice sharp(boundsOf(triangles), 0.04, 0.5);
     sharp.compute(joinCorners(triangles));
-    signedDistanceLattice round(sharp);
+    DistanceLattice round(sharp);
     round.roundEdges(width, 8);
     EXPECT_NEAR(round.distance({1, 0.1, 0.2}), 0, 0.02 * width); // a face stays, but for the volume's match
     const double retreat = round.distance({1, 1, 0.2});

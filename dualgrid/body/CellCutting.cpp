@@ -1,4 +1,4 @@
-#include "cellCutting.H"
+#include "CellCutting.h"
 
 #include <utility>
 
@@ -58,7 +58,7 @@ double frazil::insideShare(double a, double b, double c, double d)
 }
 
 
-double frazil::insideShare(const cutFace& face)
+double frazil::insideShare(const CutFace& face)
 {
     double inside = 0, all = 0;
     for (int i = 0; i < face.corners; ++i)
@@ -78,7 +78,7 @@ double frazil::insideShare(const cutFace& face)
 }
 
 
-void frazil::cutCell::add(const cutFace& face)
+void frazil::CutCell::add(const CutFace& face)
 {
     const Vec3 height = face.centre - centre_;
     for (int i = 0; i < face.corners; ++i)

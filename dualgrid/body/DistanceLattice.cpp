@@ -1,8 +1,8 @@
-#include "signedDistanceLattice.H"
+#include "DistanceLattice.h"
 
 #include <cmath>
 
-#include "surfaceDistance.H"
+#include "SurfaceDistance.h"
 
 namespace
 {
@@ -15,7 +15,7 @@ constexpr int filterOrder = 3;
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-frazil::signedDistanceLattice::signedDistanceLattice
+frazil::DistanceLattice::DistanceLattice
 (
     const Box& bounds,
     double spacing,
@@ -38,14 +38,14 @@ frazil::signedDistanceLattice::signedDistanceLattice
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void frazil::signedDistanceLattice::compute
+void frazil::DistanceLattice::compute
 (
     const IndexedSurface& surface,
     int part,
     int parts
 )
 {
-    const surfaceDistance exact(surface);
+    const SurfaceDistance exact(surface);
 
     for (int k = part; k < n_[2]; k += parts)
     {
@@ -65,7 +65,7 @@ void frazil::signedDistanceLattice::compute
 }
 
 
-void frazil::signedDistanceLattice::smoothAlong(int axis, std::vector<double>& values) const
+void frazil::DistanceLattice::smoothAlong(int axis, std::vector<double>& values) const
 {
     const std::size_t stride = axis == 0 ? 1 : axis == 1 ? n_[0] : std::size_t(n_[0])*n_[1];
     const std::size_t line = stride*n_[axis];
@@ -85,7 +85,7 @@ void frazil::signedDistanceLattice::smoothAlong(int axis, std::vector<double>& v
 }
 
 
-double frazil::signedDistanceLattice::volumeInside(double shift) const
+double frazil::DistanceLattice::volumeInside(double shift) const
 {
     double nodes = 0;
     for (const double d : values_)
@@ -96,7 +96,7 @@ double frazil::signedDistanceLattice::volumeInside(double shift) const
 }
 
 
-void frazil::signedDistanceLattice::roundEdges(double width, double volume)
+void frazil::DistanceLattice::roundEdges(double width, double volume)
 {
     const int passes = int(std::lround(2*width*width/(spacing_*spacing_)));
     std::vector<double> rest(values_);
@@ -122,7 +122,7 @@ void frazil::signedDistanceLattice::roundEdges(double width, double volume)
 }
 
 
-void frazil::signedDistanceLattice::matchVolume(double volume)
+void frazil::DistanceLattice::matchVolume(double volume)
 {
     double shift = 0;
     for (int iteration = 0; iteration < 4; ++iteration)
@@ -138,14 +138,14 @@ void frazil::signedDistanceLattice::matchVolume(double volume)
 }
 
 
-frazil::Box frazil::signedDistanceLattice::box() const
+frazil::Box frazil::DistanceLattice::box() const
 {
     const Vec3 size{n_[0] - 1.0, n_[1] - 1.0, n_[2] - 1.0};
     return {origin_, origin_ + spacing_*size};
 }
 
 
-frazil::Vec3 frazil::signedDistanceLattice::normal(const Vec3& p) const
+frazil::Vec3 frazil::DistanceLattice::normal(const Vec3& p) const
 {
     const double half = 0.5*spacing_;
     Vec3 gradient;

@@ -1,6 +1,6 @@
 /*---------------------------------------------------------------------------*\
 Class
-    frazil::surfaceDistance
+    frazil::SurfaceDistance
 
 Description
     Exact signed distance [m] to a closed surface of triangles, negative inside.
@@ -17,7 +17,7 @@ Description
     nearest point of a triangle: Ericson, Real-time collision detection, 5.1.5.
 
 SourceFiles
-    surfaceDistance.C
+    SurfaceDistance.cpp
 
 \*---------------------------------------------------------------------------*/
 
@@ -29,7 +29,7 @@ SourceFiles
 namespace frazil
 {
 
-class surfaceDistance
+class SurfaceDistance
 {
     struct node
     {
@@ -62,7 +62,7 @@ class surfaceDistance
 
 public:
 
-    explicit surfaceDistance(const IndexedSurface& surface);
+    explicit SurfaceDistance(const IndexedSurface& surface);
 
     //- Signed distance of p [m]. bound: a distance known not to be exceeded
     //  (from a neighbouring point), which saves most of the search.

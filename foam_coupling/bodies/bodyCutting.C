@@ -59,7 +59,7 @@ void Foam::bodyCutting::touch(const label facei, bodyCut& out)
 }
 
 
-frazil::cutFace Foam::bodyCutting::gather
+frazil::CutFace Foam::bodyCutting::gather
 (
     const immersedBody& body,
     const label facei
@@ -103,10 +103,10 @@ void Foam::bodyCutting::cutOne
     bodyCut& out
 )
 {
-    frazil::cutCell cell(toVec3(mesh_.cellCentres()[celli]), distance);
+    frazil::CutCell cell(toVec3(mesh_.cellCentres()[celli]), distance);
     for (const label facei : mesh_.cells()[celli])
     {
-        const frazil::cutFace face(gather(body, facei));
+        const frazil::CutFace face(gather(body, facei));
         cell.add(face);
         if (faceCut_[facei] != cut_)
         {

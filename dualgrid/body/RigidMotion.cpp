@@ -1,4 +1,4 @@
-#include "rigid_motion.h"
+#include "RigidMotion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -125,7 +125,7 @@ Foam::bodyPose Foam::bodyPose::after(const scalar deltaT) const
 void Foam::immersedBody::computeLattice()
 {
     const double spacing = givenSpacing_ > 0 ? givenSpacing_ : defaultSpacing(box_, cellSize_);
-    lattice_.reset(new frazil::signedDistanceLattice(box_, spacing, marginInCells*cellSize_));
+    lattice_.reset(new frazil::DistanceLattice(box_, spacing, marginInCells*cellSize_));
     lattice_->compute(frazil::joinCorners(triangles_), Pstream::myProcNo(), Pstream::nProcs());
 
     // Every rank has computed its planes and left zero elsewhere

@@ -19,7 +19,7 @@ Description
     simplices); shares worked out from the edge cuts.
 
 SourceFiles
-    cellCutting.C
+    CellCutting.cpp
 
 \*---------------------------------------------------------------------------*/
 
@@ -39,7 +39,7 @@ double insideShare(double a, double b, double c);
 double insideShare(double a, double b, double c, double d);
 
 //- A face: its corners and its centre, with the signed distances there [m]
-struct cutFace
+struct CutFace
 {
     int corners;
     const Vec3* point;
@@ -49,10 +49,10 @@ struct cutFace
 };
 
 //- Share of the face's area that lies inside the body
-double insideShare(const cutFace& face);
+double insideShare(const CutFace& face);
 
 //- Adds up a cell, face by face
-class cutCell
+class CutCell
 {
     Vec3 centre_;
     double centreDistance_;
@@ -61,13 +61,13 @@ class cutCell
 
 public:
 
-    cutCell(const Vec3& centre, double centreDistance)
+    CutCell(const Vec3& centre, double centreDistance)
     :
         centre_(centre),
         centreDistance_(centreDistance)
     {}
 
-    void add(const cutFace& face);
+    void add(const CutFace& face);
 
     //- Share of the cell's volume inside the body
     double insideShare() const { return all_ > 0 ? inside_/all_ : 0; }

@@ -1,4 +1,4 @@
-#include "surfaceDistance.H"
+#include "SurfaceDistance.h"
 
 #include <algorithm>
 #include <map>
@@ -96,7 +96,7 @@ foot nearestPoint(const Triangle& t, const Vec3& p)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void frazil::surfaceDistance::buildNormals(const IndexedSurface& surface)
+void frazil::SurfaceDistance::buildNormals(const IndexedSurface& surface)
 {
     const auto edgeOf = [](int a, int b)
     {
@@ -133,7 +133,7 @@ void frazil::surfaceDistance::buildNormals(const IndexedSurface& surface)
 }
 
 
-int frazil::surfaceDistance::buildTree
+int frazil::SurfaceDistance::buildTree
 (
     std::vector<int>& order,
     int first,
@@ -175,7 +175,7 @@ int frazil::surfaceDistance::buildTree
 }
 
 
-void frazil::surfaceDistance::visit
+void frazil::SurfaceDistance::visit
 (
     const node& leaf,
     const Vec3& p,
@@ -201,7 +201,7 @@ void frazil::surfaceDistance::visit
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-frazil::surfaceDistance::surfaceDistance(const IndexedSurface& surface)
+frazil::SurfaceDistance::SurfaceDistance(const IndexedSurface& surface)
 {
     for (const auto& t : surface.triangles)
     {
@@ -229,7 +229,7 @@ frazil::surfaceDistance::surfaceDistance(const IndexedSurface& surface)
 
 // * * * * * * * * * * * * * * * Member Operators  * * * * * * * * * * * * * //
 
-double frazil::surfaceDistance::operator()(const Vec3& p, double bound) const
+double frazil::SurfaceDistance::operator()(const Vec3& p, double bound) const
 {
     // A little more than the bound, so that a point at just that distance is
     // found in spite of round-off

@@ -1,6 +1,6 @@
 /*---------------------------------------------------------------------------*\
 Class
-    frazil::signedDistanceLattice
+    frazil::DistanceLattice
 
 Description
     Signed distance [m] to a body's surface, stored once on a regular lattice in
@@ -32,7 +32,7 @@ Description
     Rounding is done by every rank for itself.
 
 SourceFiles
-    signedDistanceLattice.C
+    DistanceLattice.cpp
 
 \*---------------------------------------------------------------------------*/
 
@@ -47,7 +47,7 @@ SourceFiles
 namespace frazil
 {
 
-class signedDistanceLattice
+class DistanceLattice
 {
     Vec3 origin_;
     double spacing_;
@@ -78,7 +78,7 @@ class signedDistanceLattice
 public:
 
     //- Empty lattice around `bounds` of the surface; spacing, margin: all in m
-    signedDistanceLattice(const Box& bounds, double spacing, double margin);
+    DistanceLattice(const Box& bounds, double spacing, double margin);
 
     //- Exact distances of the planes of this part
     void compute(const IndexedSurface& surface, int part = 0, int parts = 1);
@@ -115,8 +115,8 @@ public:
 };
 
 
-inline signedDistanceLattice::place
-signedDistanceLattice::placeOf(const Vec3& p) const
+inline DistanceLattice::place
+DistanceLattice::placeOf(const Vec3& p) const
 {
     const double perSpacing = 1/spacing_;
     double at[3];
