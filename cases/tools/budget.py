@@ -6,7 +6,8 @@ Over the fluid steps from the first exchange to the last line of the ledger, y c
     exchange   particles on the fluid, -Σ(impulseFine + Δt passiveReturned) - impulseHeld, against `particles` of the budget
     whole      fluid + particles + body: change, against the boundary, the weights, what the method leaves (splitting,
                gradient), and what is on its way between the programs at the end: the impulse that the particles report one
-               step late, the prediction held, ∇p that acts on the particles a step late, the body's load likewise
+               step late, the prediction held, ∇p that acts on the particles a step late, the body's load likewise, and
+               the half DEM step for which LIGGGHTS still pushes the particles with the forces of the step before
 """
 import re
 
@@ -27,10 +28,11 @@ def steps(run):
 
 
 def exchanged(ledger, n, deltaT):
-    """What the particles got over n steps by their own account [N s]: drag and added mass, passive with response."""
+    """What the particles got over n steps by their own account [N s]: drag and added mass, passive with response; and the
+    last force of the latter [N]."""
     impulse = sum(ledger["impulseReceivedY"][1:n + 1])
-    passive = sum(deltaT[k] * (ledger["passiveReceivedY"][k] + ledger["responseY"][k]) for k in range(n))
-    return impulse, passive
+    force = [passive + response for passive, response in zip(ledger["passiveReceivedY"], ledger["responseY"])]
+    return impulse, sum(d * f for d, f in zip(deltaT, force)), force[n - 1]
 
 
 def check(run, result, particle_density, body_mass, gravity=9.81):
@@ -54,10 +56,12 @@ def check(run, result, particle_density, body_mass, gravity=9.81):
     mass = particle_density * ledger["volumeParticles"][0]
     body = body_mass * (history["vy"][n] - history["vy"][0])
     particles = ledger["demMomentumY"][n] - ledger["demMomentumY"][0]
-    dragged, passive = exchanged(ledger, n, deltaT)
+    dragged, passive, last = exchanged(ledger, n, deltaT)
+    half_step = 0.5 * deltaT[-1] / history["substeps"][n - 1] * last
     on_way = {
         "reported late": dragged - sum(ledger["impulseFineY"][:n]),
         "held": -held,
+        "half a DEM step": -half_step,
         "pressure": passive + total("solid") - sum(d * y for d, y in zip(deltaT, ledger["passiveReturnedY"])),
         "body": sum(d * f for d, f in zip(deltaT, history["fluid_fy"])) + total("bodies"),
     }
