@@ -22,6 +22,10 @@
 namespace frazil
 {
 
+/// Less fluid than this share of a coarse cell is round-off of the cutting: nothing is there. Not larger, so that crossing
+/// it changes nothing but round-off.
+constexpr double roundOffShare = 1e-14;
+
 /// The host's fluid fields, one entry per fine cell of this rank.
 struct FineFlow {
     std::size_t count = 0;

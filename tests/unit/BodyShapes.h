@@ -7,10 +7,9 @@
 #include <string>
 
 #include "ClosedSurface.h"
+#include "Sphere.h"
 
 namespace frazil::shapes {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Box from `lo` to `hi`, 12 triangles.
 inline std::vector<Triangle> box(const Vec3& lo, const Vec3& hi)

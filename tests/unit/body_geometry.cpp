@@ -173,7 +173,7 @@ TEST(BodyGeometry, VolumeOfSphereAndConeAcrossCells)
     const double diameter = 0.016, size = diameter / 16, spacing = size / 3;
     const Vec3 way{0.31, 0.17, 1};
     const Smoothness ball = volumeErrors(shapes::sphere(diameter / 2), size, spacing, way, 12);
-    const Smoothness nose = volumeErrors(shapes::projectile(diameter, 2 * shapes::pi / 3, 0.02), size, spacing, way, 12);
+    const Smoothness nose = volumeErrors(shapes::projectile(diameter, 2 * pi / 3, 0.02), size, spacing, way, 12);
     std::printf("sphere %+.3f %%, spread %.4f %%; cone %+.3f %%, spread %.4f %%\n", 100 * ball.mean, 100 * ball.spread,
                 100 * nose.mean, 100 * nose.spread);
     EXPECT_LT(std::abs(ball.mean), 0.005);

@@ -45,11 +45,11 @@ TEST(ClosedSurface, ProductsOfInertiaAreTensorComponents)
 TEST(ClosedSurface, SphereAndProjectile)
 {
     const MassProperties ball = massProperties(shapes::sphere(0.008), 2700);
-    EXPECT_NEAR(ball.volume, 4.0 / 3 * shapes::pi * std::pow(0.008, 3), 3e-3 * ball.volume);
+    EXPECT_NEAR(ball.volume, 4.0 / 3 * pi * std::pow(0.008, 3), 3e-3 * ball.volume);
     EXPECT_NEAR(ball.inertia[0], 0.4 * ball.mass * 0.008 * 0.008, 5e-3 * ball.inertia[0]);
     const double r = 0.008, h = r / std::sqrt(3.0), length = 3.375 * 0.016;
-    const MassProperties cone = massProperties(shapes::projectile(0.016, 2 * shapes::pi / 3, length), 2700);
-    EXPECT_NEAR(cone.volume, shapes::pi * r * r * (length - 2 * h / 3), 1e-3 * cone.volume);
+    const MassProperties cone = massProperties(shapes::projectile(0.016, 2 * pi / 3, length), 2700);
+    EXPECT_NEAR(cone.volume, pi * r * r * (length - 2 * h / 3), 1e-3 * cone.volume);
 }
 
 TEST(ClosedSurface, AsciiAndBinaryStlAreTheSame)

@@ -14,7 +14,6 @@ using namespace frazil;
 namespace
 {
 
-const double pi = 3.14159265358979323846;
 const Phase water{1000, 1e-3}, air{1.2, 1.8e-5};
 
 ForceModel model(std::initializer_list<std::pair<const char*, const char*>> entries)

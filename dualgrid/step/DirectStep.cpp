@@ -1,9 +1,9 @@
-#include "DirectScheme.h"
+#include "DirectStep.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "ParticleReach.h"
+#include "ParticleTerms.h"
 #include "Sum.h"
 
 namespace frazil
@@ -23,16 +23,14 @@ template <class Item> std::vector<std::size_t> orderById(const std::vector<Item>
 
 } // namespace
 
-DirectScheme::DirectScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
-                           const CoarseGrid& grid, MPI_Comm comm)
-    : CouplingScheme(settings, std::move(forces), water, air, LocalCells(grid, rankIn(comm))), comm_(comm),
-      router_(comm), holders_(cells.ownedCount())
+DirectStep::DirectStep(const CouplingModel& model, CoarseState& state, MPI_Comm comm)
+    : model_(model), state_(state), comm_(comm), router_(comm), holders_(state.cells.ownedCount())
 {
-    fluid.reset(cells);
+    state_.fluid.reset(state_.cells);
 }
 
 /// Tells the owner of every coarse cell which ranks have fine cells in it.
-void DirectScheme::setParts(const std::vector<FinePiece>& pieces)
+void DirectStep::setParts(const std::vector<FinePiece>& pieces)
 {
     struct Notice {
         std::int64_t cell;
@@ -42,16 +40,16 @@ void DirectScheme::setParts(const std::vector<FinePiece>& pieces)
     std::vector<int> owners;
     std::vector<Notice> notices;
     for (const std::int64_t cell : touched) {
-        owners.push_back(cells.grid().ownerOf(cell));
+        owners.push_back(state_.cells.grid().ownerOf(cell));
         notices.push_back({cell, rankIn(comm_)});
     }
-    holders_.assign(cells.ownedCount(), {});
+    holders_.assign(state_.cells.ownedCount(), {});
     for (const Notice& notice : router_.send(owners, notices)) {
-        holders_[cells.local(notice.cell)].push_back(notice.rank); // comes ordered by rank
+        holders_[state_.cells.local(notice.cell)].push_back(notice.rank); // comes ordered by rank
     }
 }
 
-Ledger DirectScheme::advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
+Ledger DirectStep::advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
                              std::vector<Interaction>& replies, FineSource& source)
 {
     Ledger ledger;
@@ -61,14 +59,14 @@ Ledger DirectScheme::advance(const ParticleView& particles, const FineFlow& flow
     std::vector<Visitor> visitors;
     std::vector<Interaction> answers;
     {
-        const PhaseTimer::Scope scope(timer, PhaseTimer::projection);
+        const PhaseTimer::Scope scope(state_.timer, PhaseTimer::projection);
         const std::vector<Place> places = locate(particles, flow);
         const std::vector<Visitor> departing = depart(particles, places, to, who, ledger);
         visitors = router_.send(to, departing);
         settle(visitors, flow, deltaT, source, ledger);
     }
     {
-        const PhaseTimer::Scope scope(timer, PhaseTimer::forces);
+        const PhaseTimer::Scope scope(state_.timer, PhaseTimer::forces);
         std::vector<Interaction> given = interact(visitors, flow, source, ledger);
         giveBack(visitors, given, flow, source, ledger);
         respond(visitors, flow, source, deltaT, given, ledger);
@@ -83,13 +81,13 @@ Ledger DirectScheme::advance(const ParticleView& particles, const FineFlow& flow
     return ledger;
 }
 
-std::vector<DirectScheme::Place> DirectScheme::locate(const ParticleView& particles, const FineFlow& flow)
+std::vector<DirectStep::Place> DirectStep::locate(const ParticleView& particles, const FineFlow& flow)
 {
     std::vector<int> to;
     std::vector<Vec3> centres;
     std::vector<std::size_t> asker;
     for (std::size_t i = 0; i < particles.count; ++i) {
-        for (const int rank : holders_[homeOf(particles, i, cells)]) {
+        for (const int rank : holders_[homeOf(particles, i, state_.cells)]) {
             to.push_back(rank);
             centres.push_back(particles.position[i]);
             asker.push_back(i);
@@ -112,48 +110,48 @@ std::vector<DirectScheme::Place> DirectScheme::locate(const ParticleView& partic
     return places;
 }
 
-std::vector<DirectScheme::Visitor> DirectScheme::depart(const ParticleView& particles, const std::vector<Place>& places,
+std::vector<DirectStep::Visitor> DirectStep::depart(const ParticleView& particles, const std::vector<Place>& places,
                                                         std::vector<int>& to, std::vector<std::size_t>& who,
                                                         Ledger& ledger)
 {
-    solidVolume.reset(cells);
-    impulse.reset(cells);
-    for (const Vec3& carried : carried_) {
+    state_.solidVolume.reset(state_.cells);
+    state_.impulse.reset(state_.cells);
+    for (const Vec3& carried : state_.carried) {
         ledger.carriedIn += carried;
         ledger.impulseScale += norm(carried);
     }
     std::vector<Visitor> visitors;
     for (std::size_t i = 0; i < particles.count; ++i) {
-        const int home = homeOf(particles, i, cells);
+        const int home = homeOf(particles, i, state_.cells);
         const ParticleMotion motion = motionOf(particles, i);
         const double whole = volumeOf(particles, i), volume = places[i].rank < 0 ? 0 : motion.displacing * whole;
-        const Vec3 own = settings_.momentumExchange ? particles.impulse[i] : Vec3{};
+        const Vec3 own = model_.settings.momentumExchange ? particles.impulse[i] : Vec3{};
         ++ledger.particles;
         ledger.particleVolume += whole;
         ledger.absentVolume += whole - volume;
         ledger.received += own;
         ledger.impulseScale += norm(own);
-        carried_[home] += own;
+        state_.carried[home] += own;
         if (places[i].rank < 0) {
             ++ledger.dryParticles;
             continue;
         }
-        solidVolume[home] += volume;
-        impulse[home] += carried_[home];
+        state_.solidVolume[home] += volume;
+        state_.impulse[home] += state_.carried[home];
         visitors.push_back(
-            {particles.id[i], places[i].fineCell, volume, carried_[home], stateOf(particles, i, 1), motion});
-        carried_[home] = Vec3{};
+            {particles.id[i], places[i].fineCell, volume, state_.carried[home], stateOf(particles, i, 1), motion});
+        state_.carried[home] = Vec3{};
         to.push_back(places[i].rank);
         who.push_back(i);
     }
-    for (const Vec3& carried : carried_) {
+    for (const Vec3& carried : state_.carried) {
         ledger.unplaced += carried;
         ledger.coarseImpulse += carried;
     }
     return visitors;
 }
 
-void DirectScheme::settle(const std::vector<Visitor>& visitors, const FineFlow& flow, double deltaT, FineSource& source,
+void DirectStep::settle(const std::vector<Visitor>& visitors, const FineFlow& flow, double deltaT, FineSource& source,
                           Ledger& ledger) const
 {
     for (const std::size_t n : orderById(visitors)) {
@@ -167,10 +165,10 @@ void DirectScheme::settle(const std::vector<Visitor>& visitors, const FineFlow& 
 }
 
 /// Drag and added mass into the particle's own cell.
-void DirectScheme::react(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers,
+void DirectStep::react(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers,
                          FineSource& source) const
 {
-    if (!settings_.momentumExchange)
+    if (!model_.settings.momentumExchange)
         return;
     for (const std::size_t n : orderById(visitors)) {
         const double drag = answers[n].dragCoefficient;
@@ -180,13 +178,13 @@ void DirectScheme::react(const std::vector<Visitor>& visitors, const std::vector
 }
 
 /// From volume to αs, with what fits below the smallest fluid fraction.
-void DirectScheme::fitSolid(const FineFlow& flow, FineSource& source, Ledger& ledger) const
+void DirectStep::fitSolid(const FineFlow& flow, FineSource& source, Ledger& ledger) const
 {
     for (std::size_t f = 0; f < flow.count; ++f) {
         double& solid = source.solidFraction[f];
         if (!(solid > 0))
             continue;
-        const double open = flow.open(f) * flow.volume[f], room = (1 - settings_.smallestFluidFraction) * open;
+        const double open = flow.open(f) * flow.volume[f], room = (1 - model_.settings.smallestFluidFraction) * open;
         if (solid > room) {
             ledger.clippedVolume += solid - room;
             ++ledger.clippedCells;
@@ -196,17 +194,17 @@ void DirectScheme::fitSolid(const FineFlow& flow, FineSource& source, Ledger& le
     }
 }
 
-std::vector<Interaction> DirectScheme::interact(const std::vector<Visitor>& visitors, const FineFlow& flow,
+std::vector<Interaction> DirectStep::interact(const std::vector<Visitor>& visitors, const FineFlow& flow,
                                                 FineSource& source, Ledger& ledger) const
 {
     std::vector<Interaction> answers(visitors.size());
-    forces_.withDrag([&](const auto& force) {
+    model_.forces.withDrag([&](const auto& force) {
         for (std::size_t n = 0; n < visitors.size(); ++n) {
             const int f = visitors[n].fineCell;
             const PhaseFlow here{1 - source.solidFraction[f], flow.velocity[f],
                                  flow.accelerated(f) * flow.acceleration[f], flow.vorticity[f]};
             const LocalFlow local{flow.wet(f), here, here, flow.pressureGradient[f], flow.viscousForce[f]};
-            answers[n] = force(local, visitors[n].state, water_, air_);
+            answers[n] = force(local, visitors[n].state, model_.water, model_.air);
             ledger.passiveReceived += answers[n].passiveForce;
             ledger.passiveScale += norm(answers[n].passiveForce);
         }
@@ -215,19 +213,19 @@ std::vector<Interaction> DirectScheme::interact(const std::vector<Visitor>& visi
 }
 
 /// The fluid's equations carry ∇p and ∇·τ for the solid that fits into the cell; the rest is given to the fluid.
-void DirectScheme::giveBack(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers,
+void DirectStep::giveBack(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers,
                             const FineFlow& flow, FineSource& source, Ledger& ledger) const
 {
-    if (!settings_.momentumExchange)
+    if (!model_.settings.momentumExchange)
         return;
     for (std::size_t f = 0; f < flow.count; ++f) {
         const double volume = source.solidFraction[f] * flow.open(f) * flow.volume[f];
         if (!(volume > 0))
             continue;
         Vec3 carried;
-        if (forces_.pressureGradient())
+        if (model_.forces.pressureGradient())
             carried -= volume * flow.pressureGradient[f];
-        if (forces_.viscous())
+        if (model_.forces.viscous())
             carried += volume * flow.viscousForce[f];
         source.force[f] += carried;
         ledger.passiveCarried += carried;
@@ -239,10 +237,10 @@ void DirectScheme::giveBack(const std::vector<Visitor>& visitors, const std::vec
     }
 }
 
-void DirectScheme::respond(const std::vector<Visitor>& visitors, const FineFlow& flow, const FineSource& source,
+void DirectStep::respond(const std::vector<Visitor>& visitors, const FineFlow& flow, const FineSource& source,
                            double deltaT, std::vector<Interaction>& answers, Ledger& ledger)
 {
-    if (!forces_.pressureGradient())
+    if (!model_.forces.pressureGradient())
         return;
     sums_.assign(flow.count, ResponseSums{});
     for (const std::size_t n : orderById(visitors)) {

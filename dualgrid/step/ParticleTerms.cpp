@@ -1,4 +1,4 @@
-#include "ParticleReach.h"
+#include "ParticleTerms.h"
 
 #include <algorithm>
 

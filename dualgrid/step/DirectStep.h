@@ -11,22 +11,33 @@
 /// id before anything is summed.
 #pragma once
 
-#include "CouplingScheme.h"
+#include <functional>
+#include <vector>
+
+#include "CoarseState.h"
+#include "CouplingSettings.h"
+#include "FineSource.h"
+#include "Interaction.h"
+#include "Ledger.h"
+#include "Overlap.h"
+#include "ParticleView.h"
+#include "PressureResponse.h"
 #include "Router.h"
 
 namespace frazil
 {
 
-class DirectScheme : public CouplingScheme
+class DirectStep
 {
   public:
-    DirectScheme(const CouplingSettings& settings, ForceModel forces, const Phase& water, const Phase& air,
-                 const CoarseGrid& grid, MPI_Comm comm);
+    /// Both references must outlive it.
+    DirectStep(const CouplingModel& model, CoarseState& state, MPI_Comm comm);
 
-    void setParts(const std::vector<FinePiece>& pieces) override;
-    void setLocator(std::function<int(const Vec3&)> fineCellAt) override { fineCellAt_ = std::move(fineCellAt); }
+    // As those of CouplingStep
+    void setParts(const std::vector<FinePiece>& pieces);
+    void setLocator(std::function<int(const Vec3&)> fineCellAt) { fineCellAt_ = std::move(fineCellAt); }
     Ledger advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
-                   std::vector<Interaction>& replies, FineSource& source) override;
+                   std::vector<Interaction>& replies, FineSource& source);
 
   private:
     /// A particle on its way to the rank that has its fine cell.
@@ -56,6 +67,8 @@ class DirectScheme : public CouplingScheme
     void respond(const std::vector<Visitor>& visitors, const FineFlow& flow, const FineSource& source, double deltaT,
                  std::vector<Interaction>& answers, Ledger& ledger);
 
+    const CouplingModel& model_;
+    CoarseState& state_;
     MPI_Comm comm_;
     Router router_;
     std::function<int(const Vec3&)> fineCellAt_;
