@@ -15,8 +15,7 @@ namespace frazil
 
 template <class Variant> struct Catalogue;
 
-template <class... Items> struct Catalogue<std::variant<Items...>>
-{
+template <class... Items> struct Catalogue<std::variant<Items...>> {
     static std::vector<std::string> names() { return {Items::name...}; }
 
     /// The item that `key` names; the first one where the user says nothing. InputError on any other word.

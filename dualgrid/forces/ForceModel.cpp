@@ -25,10 +25,9 @@ double addedMassCoefficient(const Settings& forces)
 } // namespace
 
 ForceModel::ForceModel(const Settings& forces)
-    : drag_(Catalogue<DragLaw>::choose(forces, "drag")),
-      pressureGradient_(forces.flag("pressureGradient", true)), viscous_(forces.flag("viscous", true)),
-      rotationalDrag_(forces.flag("rotationalDrag", false)), shielding_(forces.flag("shielding", false)),
-      addedMass_(addedMassCoefficient(forces))
+    : drag_(Catalogue<DragLaw>::choose(forces, "drag")), pressureGradient_(forces.flag("pressureGradient", true)),
+      viscous_(forces.flag("viscous", true)), rotationalDrag_(forces.flag("rotationalDrag", false)),
+      shielding_(forces.flag("shielding", false)), addedMass_(addedMassCoefficient(forces))
 {
 }
 

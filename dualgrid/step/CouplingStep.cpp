@@ -42,19 +42,19 @@ Ledger CouplingStep::advance(const ParticleView& particles, const FineFlow& flow
     source.reset(flow.count);
 
     // Where everything is
-    grid_.restrictFluid(flow, model_.gravity, state_);             // fine -> coarse: averages of water and air
-    places_.find(particles, grid_, state_, ledger);                // particles: shares in water, air, mesh; windows
-    solid_.project(particles, places_, grid_, state_, ledger);     // particles -> coarse: solid volume
-    solid_.prolong(flow, grid_, state_, source);                   // coarse -> fine: αs
+    grid_.restrictFluid(flow, model_.gravity, state_);         // fine -> coarse: averages of water and air
+    places_.find(particles, grid_, state_, ledger);            // particles: shares in water, air, mesh; windows
+    solid_.project(particles, places_, grid_, state_, ledger); // particles -> coarse: solid volume
+    solid_.prolong(flow, grid_, state_, source);               // coarse -> fine: αs
 
     // What the fluid does to the particles
-    forces_.act(particles, places_, solid_, state_, replies, ledger);                // coarse -> particles: force laws
-    forces_.respond(particles, places_, deltaT, grid_, state_, replies, ledger);     // answer of ∇p to their motion
+    forces_.act(particles, places_, solid_, state_, replies, ledger);            // coarse -> particles: force laws
+    forces_.respond(particles, places_, deltaT, grid_, state_, replies, ledger); // answer of ∇p to their motion
 
     // What the particles do to the fluid
-    reaction_.collectImpulse(particles, places_, grid_, state_, ledger);             // particles -> coarse: J
-    reaction_.restrictLoad(flow, solid_, grid_, state_, ledger);                     // fine -> coarse: -αs∇p + αs∇·τ
-    reaction_.collectCoefficients(particles, places_, replies, grid_, state_);       // particles -> coarse: K, Ca
+    reaction_.collectImpulse(particles, places_, grid_, state_, ledger);       // particles -> coarse: J
+    reaction_.restrictLoad(flow, solid_, grid_, state_, ledger);               // fine -> coarse: -αs∇p + αs∇·τ
+    reaction_.collectCoefficients(particles, places_, replies, grid_, state_); // particles -> coarse: K, Ca
     reaction_.prolongForce(flow, deltaT, solid_, grid_, state_, source, ledger);     // coarse -> fine: force
     reaction_.prolongCoefficients(flow, grid_, state_, source);                      // coarse -> fine: K, Ca
     reaction_.returnWeight(particles, places_, flow, grid_, state_, source, ledger); // to all of the fluid

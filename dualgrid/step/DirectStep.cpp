@@ -50,7 +50,7 @@ void DirectStep::setParts(const std::vector<FinePiece>& pieces)
 }
 
 Ledger DirectStep::advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
-                             std::vector<Interaction>& replies, FineSource& source)
+                           std::vector<Interaction>& replies, FineSource& source)
 {
     Ledger ledger;
     source.reset(flow.count);
@@ -111,8 +111,7 @@ std::vector<DirectStep::Place> DirectStep::locate(const ParticleView& particles,
 }
 
 std::vector<DirectStep::Visitor> DirectStep::depart(const ParticleView& particles, const std::vector<Place>& places,
-                                                        std::vector<int>& to, std::vector<std::size_t>& who,
-                                                        Ledger& ledger)
+                                                    std::vector<int>& to, std::vector<std::size_t>& who, Ledger& ledger)
 {
     state_.solidVolume.reset(state_.cells);
     state_.impulse.reset(state_.cells);
@@ -152,7 +151,7 @@ std::vector<DirectStep::Visitor> DirectStep::depart(const ParticleView& particle
 }
 
 void DirectStep::settle(const std::vector<Visitor>& visitors, const FineFlow& flow, double deltaT, FineSource& source,
-                          Ledger& ledger) const
+                        Ledger& ledger) const
 {
     for (const std::size_t n : orderById(visitors)) {
         const Visitor& visitor = visitors[n];
@@ -166,7 +165,7 @@ void DirectStep::settle(const std::vector<Visitor>& visitors, const FineFlow& fl
 
 /// Drag and added mass into the particle's own cell.
 void DirectStep::react(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers,
-                         FineSource& source) const
+                       FineSource& source) const
 {
     if (!model_.settings.momentumExchange)
         return;
@@ -195,7 +194,7 @@ void DirectStep::fitSolid(const FineFlow& flow, FineSource& source, Ledger& ledg
 }
 
 std::vector<Interaction> DirectStep::interact(const std::vector<Visitor>& visitors, const FineFlow& flow,
-                                                FineSource& source, Ledger& ledger) const
+                                              FineSource& source, Ledger& ledger) const
 {
     std::vector<Interaction> answers(visitors.size());
     model_.forces.withDrag([&](const auto& force) {
@@ -214,7 +213,7 @@ std::vector<Interaction> DirectStep::interact(const std::vector<Visitor>& visito
 
 /// The fluid's equations carry ∇p and ∇·τ for the solid that fits into the cell; the rest is given to the fluid.
 void DirectStep::giveBack(const std::vector<Visitor>& visitors, const std::vector<Interaction>& answers,
-                            const FineFlow& flow, FineSource& source, Ledger& ledger) const
+                          const FineFlow& flow, FineSource& source, Ledger& ledger) const
 {
     if (!model_.settings.momentumExchange)
         return;
@@ -238,7 +237,7 @@ void DirectStep::giveBack(const std::vector<Visitor>& visitors, const std::vecto
 }
 
 void DirectStep::respond(const std::vector<Visitor>& visitors, const FineFlow& flow, const FineSource& source,
-                           double deltaT, std::vector<Interaction>& answers, Ledger& ledger)
+                         double deltaT, std::vector<Interaction>& answers, Ledger& ledger)
 {
     if (!model_.forces.pressureGradient())
         return;

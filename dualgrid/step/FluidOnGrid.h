@@ -38,11 +38,11 @@ class FluidOnGrid
     MPI_Comm comm;
     ExchangePlan plan;
     FineParts parts;
-    CoarseField<Box> filled;                          ///< part of each cell that is in the mesh
-    CoarseField<double> meshVolume;                   ///< of it [m3]
-    CoarseField<double> solidWindow;                  ///< meshVolume of the cells that hold fluid [m3]
+    CoarseField<Box> filled;                            ///< part of each cell that is in the mesh
+    CoarseField<double> meshVolume;                     ///< of it [m3]
+    CoarseField<double> solidWindow;                    ///< meshVolume of the cells that hold fluid [m3]
     CoarseField<double> openVolume, openWater, openAir; ///< of the cells that hold fluid [m3]
-    CoarseField<double> fluidMass;                    ///< [kg]
+    CoarseField<double> fluidMass;                      ///< [kg]
 };
 
 } // namespace frazil

@@ -25,9 +25,9 @@ const char* const exact = "{:.17g}";
 const char* const rounded = "{:.6g}";
 const char* const error = "{:.3g}";
 
-const Columns<Ledger>& columns()
+Columns<Ledger> allColumns()
 {
-    static const Columns<Ledger> list = Columns<Ledger>()
+    return Columns<Ledger>()
         .add("particles", whole, &Ledger::particles)
         .add("dryParticles", whole, &Ledger::dryParticles)
         .add("volumeParticles", exact, &Ledger::particleVolume)
@@ -51,6 +51,11 @@ const Columns<Ledger>& columns()
         .addVector("passiveReturned", exact, &Ledger::passiveReturned)
         .addVector("response", exact, &Ledger::response)
         .add("passiveError", error, &Ledger::passiveError);
+}
+
+const Columns<Ledger>& columns()
+{
+    static const Columns<Ledger> list = allColumns();
     return list;
 }
 

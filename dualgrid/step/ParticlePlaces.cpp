@@ -14,8 +14,8 @@ void ParticlePlaces::find(const ParticleView& particles, const FluidOnGrid& grid
     findSurfaces(particles, grid, state);
     ledger.particles = std::int64_t(particles.count);
     for (std::size_t i = 0; i < particles.count; ++i) {
-        const SphereShare share = shareOfSphere(particles.position[i], particles.radius[i], state.cells, grid.filled,
-                                                state.fluid, surface_);
+        const SphereShare share =
+            shareOfSphere(particles.position[i], particles.radius[i], state.cells, grid.filled, state.fluid, surface_);
         finish(places_[i], share, grid);
         ledger.particleVolume += volumeOf(particles, i);
         ledger.dryParticles += !(places_[i].presence > 0);
