@@ -92,8 +92,8 @@ Interaction ForceModel::interact(const Law& law, const LocalFlow& flow, const Pa
         result.spinCoefficient += spin;
         result.fluidSpin += (0.5 * spin) * fluid.vorticity;
     };
-    act(flow.wetFraction, flow.water, water);
-    act(1 - flow.wetFraction, flow.air, air);
+    act(flow.wetShare, flow.water, water);
+    act(1 - flow.wetShare, flow.air, air);
     auto toMean = [](Vec3& sum, double weight) { sum *= weight > 0 ? 1 / weight : 0; };
     toMean(result.fluidVelocity, result.dragCoefficient);
     toMean(result.fluidAcceleration, result.addedMass);

@@ -43,7 +43,7 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const Vec3& grav
         const Vec3 centre = cells.grid().centre(cells.global(parts.coarseCell(row)));
         for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part) {
             const int f = part->fineCell;
-            const double w = flow.fluidFraction[f] * part->volume, wet = flow.wet(f);
+            const double w = flow.fluidShare[f] * part->volume, wet = flow.wet(f);
             const double open = flow.open(f) * part->volume, water = wet * open;
             const Vec3 place = part->centroid - centre;
             sum.openVolume += open;

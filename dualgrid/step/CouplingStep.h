@@ -11,13 +11,13 @@
 ///
 /// Momentum (model A: S = -Σ (fd + fa)/V): the particles report the drag and added-mass impulse J that they really
 /// received since the last exchange, and the fluid gets exactly the opposite. That alone comes two exchanges after the
-/// velocity that caused it. Per fluid mass m, with κ = K Δt/m and γ = Ca αs/αf, λ³ - λ² + (κ+γ) λ - γ = 0: unstable in
+/// velocity that caused it. Per fluid mass m, with κ = K Δt/m and χ = Ca αs/αf, λ³ - λ² + (κ+χ) λ - χ = 0: unstable in
 /// dense particles. So the host adds a conservative prediction: in step k the fluid gets the impulse
 ///
 ///   G_k = -(J_k + P_k - P_{k-1}),   P_k = Δt ΣK (u - v) + Σ Ca ρf V (u - u_old), implicit in u, per fine cell,
 ///
 /// where what was predicted is given back as what really happened arrives: Σ G = -Σ J - P_last, exact up to the one
-/// amount held. (1+κ+γ) λ³ - (1+κ+2γ) λ² + (κ+2γ) λ - γ = 0 is stable for all κ, γ. FineSource has the coefficients;
+/// amount held. (1+κ+χ) λ³ - (1+κ+2χ) λ² + (κ+2χ) λ - χ = 0 is stable for all κ, χ. FineSource has the coefficients;
 /// they follow the stencils of J and, within a coarse cell, the fluid's mass.
 /// Cost: O(particles x 8 + fine cells), fifteen small halo exchanges, Allreduces of 37 and 2 numbers. Buffers only
 /// grow. Parallel: one object per fluid rank, every call is collective over the communicator. For one number of ranks

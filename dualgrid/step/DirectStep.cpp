@@ -97,7 +97,7 @@ std::vector<DirectStep::Place> DirectStep::locate(const ParticleView& particles,
     std::vector<int> found(asked.size());
     for (std::size_t n = 0; n < asked.size(); ++n) {
         found[n] = fineCellAt_(asked[n]);
-        if (found[n] >= 0 && !(flow.fluidFraction[found[n]] > 0))
+        if (found[n] >= 0 && !(flow.fluidShare[found[n]] > 0))
             found[n] = -1; // inside a body
     }
     const std::vector<int> answer = router_.answer(found);

@@ -54,7 +54,7 @@ LocalFlow ForcesOnParticles::flowAt(const Place& place, const CoarseField<Coarse
                                     const CoarseField<double>& solidFraction) const
 {
     LocalFlow flow;
-    flow.wetFraction = place.wetShare;
+    flow.wetShare = place.wetShare;
     if (place.wetShare > 0)
         flow.water = phaseAt(place.wet, fluid, &CoarseFluid::water);
     if (place.wetShare < 1)

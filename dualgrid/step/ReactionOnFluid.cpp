@@ -90,7 +90,7 @@ void ReactionOnFluid::prolongForce(const FineFlow& flow, double deltaT, const So
     const PhaseTimer::Scope scope(state.timer, PhaseTimer::prolongation);
     density_.resize(flow.count);
     for (std::size_t f = 0; f < flow.count; ++f)
-        density_[f] = flow.density[f] * flow.fluidFraction[f];
+        density_[f] = flow.density[f] * flow.fluidShare[f];
     acceleration_.reset(state.cells);
     for (int c = 0; c < state.cells.count(); ++c) {
         if (!(grid.fluidMass[c] > 0))
@@ -119,7 +119,7 @@ void ReactionOnFluid::prolongCoefficients(const FineFlow& flow, const FluidOnGri
             continue;
         for (const FinePart* part = grid.parts.begin(row); part != grid.parts.end(row); ++part) {
             const int f = part->fineCell;
-            const double share = flow.density[f] * flow.fluidFraction[f] * part->volume / grid.fluidMass[cell];
+            const double share = flow.density[f] * flow.fluidShare[f] * part->volume / grid.fluidMass[cell];
             source.addReaction(f, share * all.drag, share * all.dragMomentum, share * all.addedMass);
         }
     }
@@ -146,12 +146,12 @@ void ReactionOnFluid::returnWeight(const ParticleView& particles, const Particle
         return;
     double sums[2] = {weightToReturn(particles, places, state), 0}; // and the mass of the fluid [kg]
     for (std::size_t f = 0; f < flow.count; ++f)
-        sums[1] += flow.density[f] * flow.fluidFraction[f] * flow.volume[f];
+        sums[1] += flow.density[f] * flow.fluidShare[f] * flow.volume[f];
     ledger.passiveReturned -= sums[0] * model_.gravity; // this rank's share
     sumOverRanks(sums, 2, grid.comm);
     const Vec3 acceleration = sums[1] > 0 ? sums[0] / sums[1] * model_.gravity : Vec3{};
     for (std::size_t f = 0; f < flow.count; ++f)
-        source.force[f] += flow.density[f] * flow.fluidFraction[f] * flow.volume[f] * acceleration;
+        source.force[f] += flow.density[f] * flow.fluidShare[f] * flow.volume[f] * acceleration;
 }
 
 } // namespace frazil

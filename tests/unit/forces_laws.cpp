@@ -139,7 +139,7 @@ TEST(ForceModel, PartlyWetBlendsForcesNotViscosities)
 {
     LocalFlow flow;
     flow.water.velocity = flow.air.velocity = {0.05, 0, 0};
-    flow.wetFraction = 0.25;
+    flow.wetShare = 0.25;
     const ParticleState sphere{{}, {}, 1e-3, 1};
     const Interaction force = model({})(flow, sphere, water, air);
     const double inWater = dragCoefficient(DiFelice{}, water, 2e-3, 0.05, 1);
@@ -152,7 +152,7 @@ TEST(ForceModel, PartlyWetBlendsForcesNotViscosities)
 TEST(ForceModel, EachFluidPushesWithItsOwnVelocityAndAcceleration)
 {
     LocalFlow flow;
-    flow.wetFraction = 0.5;
+    flow.wetShare = 0.5;
     flow.air.velocity = {20, 0, 0};
     flow.air.acceleration = {100, 0, 0};
     const ParticleState sphere{{}, {}, 1e-3, 1};
