@@ -13,9 +13,11 @@ import time
 import unittest
 from pathlib import Path
 
-import frazil_launcher
-
-launcher = frazil_launcher.load()
+from launcher.cli import parser
+from launcher.run import plan, prepare
+from launcher.say import Failure
+from launcher.table import History
+from launcher.watch import pids_of, start_programs, watch
 if "FRAZIL_BUILD" in os.environ:
     launcher.BUILD = Path(os.environ["FRAZIL_BUILD"])
 
@@ -26,19 +28,19 @@ class BadInput(unittest.TestCase):
     def prepared(self, case):
         """A run folder of the case, ready to run."""
         folder = self.enterContext(tempfile.TemporaryDirectory())
-        run = launcher.plan(launcher.parser().parse_args(["run", case, "--out", folder]))
-        launcher.prepare(run)
+        run = plan(parser().parse_args(["run", case, "--out", folder]))
+        prepare(run)
         return run
 
     def fails(self, run, *texts, seconds=SECONDS):
         """Runs the pair: it must fail within seconds and say all texts."""
-        self.ends(run, launcher.start_programs(run), *texts, seconds=seconds)
+        self.ends(run, start_programs(run), *texts, seconds=seconds)
 
     def ends(self, run, process, *texts, seconds):
         """As fails, for a pair under way."""
         start = time.monotonic()
-        with self.assertRaises(launcher.Failure) as caught:
-            launcher.watch(run, process)
+        with self.assertRaises(Failure) as caught:
+            watch(run, process)
         self.assertLess(time.monotonic() - start, seconds)
         print(f"\n{caught.exception}\n", flush=True)
         for text in texts:
@@ -111,12 +113,12 @@ class BadInput(unittest.TestCase):
     def killed(self, program):
         """Kills the program with signal 9 in the middle of a run."""
         run = self.prepared("settling_sphere")
-        process, history, killed = launcher.start_programs(run), launcher.History(run.folder / "history.csv"), []
+        process, history, killed = start_programs(run), History(run.folder / "history.csv"), []
 
         def kill():
             while not history.read():
                 time.sleep(0.1)
-            os.kill(launcher.pids_of(program, process.pid)[0], signal.SIGKILL)
+            os.kill(pids_of(program, process.pid)[0], signal.SIGKILL)
             killed.append(time.monotonic())
 
         threading.Thread(target=kill, daemon=True).start()

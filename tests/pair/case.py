@@ -1,33 +1,42 @@
 """A shipped case as a test: prepares it as `./frazil run` does, runs the pair, asserts what its `check` asserts.
 
-usage: case.py CASE [KEY=VALUE ...]     FRAZIL_BUILD names the build folder
+usage: case.py CASE [KEY=VALUE ...]     over the `test` parameters of its case.json; FRAZIL_BUILD names the build folder
 """
-
-import os
+import json
 import sys
 import tempfile
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "input_errors"))
-import frazil_launcher
+from launcher.case import find_case, read
+from launcher.cli import parser
+from launcher.results import check
+from launcher.run import plan, prepare
+from launcher.say import Failure
+from launcher.watch import start_programs, watch
 
-launcher = frazil_launcher.load()
-if "FRAZIL_BUILD" in os.environ:
-    launcher.BUILD = Path(os.environ["FRAZIL_BUILD"])
+
+def planned(case, folder, settings=()):
+    """The Run of a case in `folder`, not prepared yet."""
+    words = ["run", case, "--out", str(folder)] + [word for setting in settings for word in ("--set", setting)]
+    return plan(parser().parse_args(words))
 
 
 def run(case, folder, settings=()):
     """Runs a case in `folder`; returns its Run."""
-    words = ["run", case, "--out", str(folder)] + [word for setting in settings for word in ("--set", setting)]
-    planned = launcher.plan(launcher.parser().parse_args(words))
-    launcher.prepare(planned)
-    launcher.watch(planned, launcher.start_programs(planned))
-    return planned
+    one = planned(case, folder, settings)
+    prepare(one)
+    watch(one, start_programs(one))
+    return one
+
+
+def main():
+    case, *settings = sys.argv[1:]
+    quick = [f"{key}={json.dumps(value)}" for key, value in read(find_case(case)).get("test", {}).items()]
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            sys.exit(check(run(case, folder, [*quick, *settings])))
+        except Failure as failure:
+            sys.exit(str(failure))
 
 
 if __name__ == "__main__":
-    with tempfile.TemporaryDirectory() as folder:
-        try:
-            sys.exit(launcher.check(run(sys.argv[1], folder, sys.argv[2:])))
-        except launcher.Failure as failure:
-            sys.exit(str(failure))
+    main()
