@@ -6,15 +6,9 @@ import re
 import shutil
 import subprocess
 
-MPIRUN = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1"]
+import mpirun
 
-
-def environment():
-    """Environment in which OpenFOAM's programs find their etc/ and mpirun accepts any user."""
-    env = dict(os.environ)
-    env.setdefault("WM_PROJECT_DIR", "/usr/share/openfoam")
-    env.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    return env
+MPIRUN = mpirun.COMMAND
 
 
 def openfoam_root():
@@ -47,7 +41,7 @@ def set_entry(path, key, value):
 def run(command, folder, log):
     """Run a program in a folder; stop with the end of its log if it fails."""
     with open(pathlib.Path(folder) / log, "w") as out:
-        code = subprocess.run([str(c) for c in command], cwd=folder, stdout=out, stderr=out, env=environment()).returncode
+        code = subprocess.run([str(c) for c in command], cwd=folder, stdout=out, stderr=out, env=mpirun.environment()).returncode
     text = (pathlib.Path(folder) / log).read_text()
     if code != 0:
         raise SystemExit(f"{command} failed in {folder} (code {code}):\n" + text[-3000:])

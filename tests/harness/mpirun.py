@@ -19,7 +19,11 @@ class Result:
 
 
 def environment():
-    return dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    """Environment in which OpenFOAM's programs find their etc/ and mpirun accepts any user."""
+    env = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+               OMPI_MCA_rmaps_base_oversubscribe="1")
+    env.setdefault("WM_PROJECT_DIR", "/usr/share/openfoam")
+    return env
 
 
 def run(arguments, cwd=None, timeout=60):

@@ -1,6 +1,5 @@
-"""Small cases with one immersed body for frazilFoam alone (`coupling off`): meshes, surfaces, dictionaries."""
+"""Small tanks for frazilFoam, alone (`coupling off`) or in a pair: meshes, dictionaries, fields."""
 
-import math
 import pathlib
 
 HEADER = "FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
@@ -10,56 +9,6 @@ def write(path, text, kind="dictionary"):
     path = pathlib.Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(HEADER.format(kind=kind, name=path.name) + text)
-
-
-def revolve(profile, segments, centre):
-    """Triangles of the surface that the profile [(r, y), ...] makes around the y axis; r = 0 at both ends."""
-    def at(r, y, k):
-        a = 2*math.pi*k/segments
-        return (centre[0] + r*math.cos(a), centre[1] + y, centre[2] + r*math.sin(a))
-    triangles = []
-    for (r0, y0), (r1, y1) in zip(profile, profile[1:]):
-        for k in range(segments):
-            a, b, c, d = at(r0, y0, k), at(r0, y0, k + 1), at(r1, y1, k + 1), at(r1, y1, k)
-            if r0 > 0:
-                triangles.append((a, c, b))
-            if r1 > 0:
-                triangles.append((a, d, c))
-    return triangles
-
-
-def volume(triangles):
-    """Enclosed volume [m3]."""
-    return sum(a[0]*(b[1]*c[2] - b[2]*c[1]) + a[1]*(b[2]*c[0] - b[0]*c[2]) + a[2]*(b[0]*c[1] - b[1]*c[0])
-               for a, b, c in triangles)/6
-
-
-def write_stl(path, triangles):
-    path = pathlib.Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with open(path, "w") as out:
-        out.write("solid body\n")
-        for triangle in triangles:
-            out.write("facet normal 0 0 0\nouter loop\n")
-            for v in triangle:
-                out.write("vertex %.10g %.10g %.10g\n" % v)
-            out.write("endloop\nendfacet\n")
-        out.write("endsolid body\n")
-
-
-def sphere(diameter, centre, rings=64):
-    """Sphere about the y axis."""
-    r = diameter/2
-    profile = [(r*math.sin(math.pi*i/rings), -r*math.cos(math.pi*i/rings)) for i in range(rings + 1)]
-    profile[0], profile[-1] = (0.0, -r), (0.0, r)
-    return revolve(profile, 2*rings, centre)
-
-
-def cone(diameter, length, centre_tip, full_angle=120.0):
-    """Cone with its tip down and a cylinder above, about the y axis; centre_tip is the tip [m]."""
-    r = diameter/2
-    h = r/math.tan(math.radians(full_angle/2))
-    return revolve([(0.0, 0.0), (r, h), (r, length), (0.0, length)], 128, centre_tip)
 
 
 def box_mesh(lo, hi, cells, grading="(1 1 1)"):

@@ -9,27 +9,16 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "mpi"))
-import mpirun  # noqa: E402
+import dem_script
+import mpirun
+import surfaces
 
-MATERIAL = """
-fix m1 all property/global youngsModulus peratomtype 5.e6
-fix m2 all property/global poissonsRatio peratomtype 0.45
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
-fix m5 all property/global k_finnie peratomtypepair 1 1.0
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep 1e-5
-"""
+WEAR = "fix m5 all property/global k_finnie peratomtypepair 1 1.0\n"
 
-HEAD = """
-atom_style granular
-atom_modify map array
-newton off
-communicate single vel yes
-units si
-"""
+
+def head(boundary, low, high):
+    return dem_script.head(dem_script.box(low, high), boundary, restitution=0.3, more=WEAR) + "timestep 1e-5\n"
+
 
 THERMO = """
 compute spin all erotate/sphere
@@ -37,13 +26,7 @@ thermo_style custom step atoms ke c_spin vol
 thermo_modify lost ignore norm no format float %.16g
 """
 
-PACKING = HEAD + """
-boundary m m m
-region box block -0.05 0.05 -0.05 0.05 0 0.1 units box
-create_box 1 box
-neighbor 0.002 bin
-neigh_modify delay 0
-""" + MATERIAL + """
+PACKING = head("m m m", (-0.05, -0.05, 0), (0.05, 0.05, 0.1)) + """
 fix xlo all wall/gran model hertz tangential history primitive type 1 xplane -0.05
 fix xhi all wall/gran model hertz tangential history primitive type 1 xplane 0.05
 fix ylo all wall/gran model hertz tangential history primitive type 1 yplane -0.05
@@ -67,17 +50,7 @@ run 1200
 unfix grow
 run 400
 clear
-atom_style granular
-atom_modify map array
-newton off
-communicate single vel yes
-units si
-boundary f f f
-region box block 0 1 0 1 0 1 units box
-create_box 1 box
-neighbor 0.002 bin
-neigh_modify delay 0
-""" + MATERIAL + """
+""" + head("f f f", (0, 0, 0), (1, 1, 1)) + """
 create_atoms 1 single 0.5 0.5 0.5 units box
 set group all density 1000 diameter 0.02
 fix move all nve/sphere
@@ -87,13 +60,7 @@ thermo_modify format float %.16g
 run 100
 """
 
-CHUTE = HEAD + """
-boundary f f f
-region box block -0.25 0.1 -0.1 0.1 -0.25 0.15 units box
-create_box 1 box
-neighbor 0.002 bin
-neigh_modify delay 0
-""" + MATERIAL + """
+CHUTE = head("f f f", (-0.25, -0.1, -0.25), (0.1, 0.1, 0.15)) + """
 fix g all gravity 9.81 vector 0 0 -1
 fix chute all mesh/surface/stress file chute.stl type 1 wear finnie
 fix face all mesh/surface/planar file face.stl type 1
@@ -112,20 +79,21 @@ run 8000
 """
 
 
-def stl(*quads):
-    """Two triangles for each quad of four corners."""
-    lines = ["solid s"]
-    for a, b, c, d in quads:
-        for triangle in ((a, b, c), (a, c, d)):
-            lines += ["facet normal 0 0 1", "outer loop"]
-            lines += ["vertex %g %g %g" % corner for corner in triangle]
-            lines += ["endloop", "endfacet"]
-    return "\n".join(lines + ["endsolid s", ""])
-
-
-CHUTE_STL = stl(((-0.2, -0.05, -0.1), (0.08, -0.05, 0.02), (0.08, 0.05, 0.02), (-0.2, 0.05, -0.1)),
+CHUTE_STL = surfaces.quads(((-0.2, -0.05, -0.1), (0.08, -0.05, 0.02), (0.08, 0.05, 0.02), (-0.2, 0.05, -0.1)),
                 ((-0.2, 0.05, -0.1), (0.08, 0.05, 0.02), (0.08, 0.05, 0.1), (-0.2, 0.05, 0.0)))
-FACE_STL = stl(((0.02, -0.03, 0.12), (0.07, -0.03, 0.12), (0.07, 0.03, 0.12), (0.02, 0.03, 0.12)))
+FACE_STL = surfaces.quads(((0.02, -0.03, 0.12), (0.07, -0.03, 0.12), (0.07, 0.03, 0.12), (0.02, 0.03, 0.12)))
+
+BONDED = """
+create_atoms 1 single 0.5 0.5 0.5 units box
+create_atoms 1 single 0.52 0.5 0.5 units box
+create_atoms 1 single 0.54 0.5 0.5 units box
+set group all density 1000 diameter 0.02
+fix bonds all bond/parallel young 1e6 stiffness_ratio 2 tensile_strength 1e5 shear_strength 1e5
+fix move all nve/sphere
+thermo_style custom step atoms f_bonds[1] f_bonds[2]
+thermo_modify format float %g
+run 100
+"""
 
 
 class Stock(unittest.TestCase):
@@ -134,8 +102,8 @@ class Stock(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             here = Path(folder)
             (here / "in.test").write_text(script)
-            (here / "chute.stl").write_text(CHUTE_STL)
-            (here / "face.stl").write_text(FACE_STL)
+            surfaces.write_stl(here / "chute.stl", CHUTE_STL)
+            surfaces.write_stl(here / "face.stl", FACE_STL)
             run = mpirun.run(["-np", ranks, program, "-in", "in.test"], cwd=folder)
             self.assertEqual(run.code, 0, run)
             thermo = re.findall(r"^ +\d+ +\d+ [-+.\deE ]+$", run.text, re.MULTILINE)
@@ -158,14 +126,14 @@ class Stock(unittest.TestCase):
     def test_chute(self):
         self.same(CHUTE)
 
-    def test_our_styles_are_known_after_clear(self):
-        script = PACKING.replace("thermo_style custom step atoms ke\n",
-                                 "fix bonds all bond/parallel young 1e6 stiffness_ratio 2 tensile_strength 1e5 "
-                                 "shear_strength 1e5\nthermo_style custom step atoms ke\n")
+    def test_our_styles_work_after_clear(self):
+        """A pair that bonds hold together, in the box that follows `clear`: both bonds are made, and none breaks."""
+        script = PACKING[:PACKING.index("create_atoms 1 single 0.5 0.5 0.5")] + BONDED
         with tempfile.TemporaryDirectory() as folder:
             Path(folder, "in.test").write_text(script)
             run = mpirun.run(["-np", 1, f"{BIN}/frazilDem", "-in", "in.test"], cwd=folder)
-        self.assertNotIn("Invalid fix style", run.text)
+        self.assertEqual(run.code, 0, run)
+        self.assertRegex(run.text, r"(?m)^ +\d+ +3 2 0 *$")
 
 
 if __name__ == "__main__":

@@ -19,7 +19,6 @@ from pathlib import Path
 
 from bond_dem import *
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "cases/tools"))
 import lattice
 
 SIZE = 0.995 * D

@@ -8,57 +8,26 @@ import re
 import subprocess
 import sys
 
-HEADER = "FoamFile {{ version 2.0; format ascii; class dictionary; object {}; }}\n"
+import mpirun
+import tank_case
+from surfaces import revolve, write_stl
+
 D = 0.016
-MPIRUN = "mpirun --oversubscribe --mca mpi_yield_when_idle 1 -np".split()
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-ENVIRONMENT.setdefault("WM_PROJECT_DIR", "/usr/share/openfoam")
-
-
-def write(path, text):
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path, "w") as out:
-        out.write(text)
 
 
 def foam(case, path, text):
-    write(os.path.join(case, path), HEADER.format(os.path.basename(path)) + text)
-
-
-def revolve(profile, sectors, centre=(0, 0, 0)):
-    """Triangles of the surface of revolution about z through (r, z), lower pole to upper pole."""
-    def point(i, s):
-        angle = 2 * math.pi * (s % sectors) / sectors
-        r, z = profile[i]
-        return (centre[0] + r * math.cos(angle), centre[1] + r * math.sin(angle), centre[2] + z)
-    out = []
-    for i in range(len(profile) - 1):
-        for s in range(sectors):
-            a, b, c, d = point(i, s), point(i, s + 1), point(i + 1, s + 1), point(i + 1, s)
-            if profile[i][0] > 0:
-                out.append((a, b, c))
-            if profile[i + 1][0] > 0:
-                out.append((a, c, d))
-    return out
+    tank_case.write(os.path.join(case, path), text)
 
 
 def sphere(centre, rings=48):
     angles = [math.pi * i / rings for i in range(rings + 1)]
     profile = [(D / 2 * math.sin(a) if 0 < i < rings else 0, -D / 2 * math.cos(a)) for i, a in enumerate(angles)]
-    return revolve(profile, 2 * rings, centre)
+    return revolve(profile, 2 * rings, centre, axis=2)
 
 
 def cone(centre, length=0.024):
     h = D / 2 / math.sqrt(3)
-    return revolve([(0, 0), (D / 2, h), (D / 2, length), (0, length)], 96, centre)
-
-
-def stl(path, triangles):
-    text = ["solid body"]
-    for t in triangles:
-        corners = "".join("vertex %.9g %.9g %.9g\n" % p for p in t)
-        text.append("facet normal 0 0 0\nouter loop\n" + corners + "endloop\nendfacet")
-    write(path, "\n".join(text) + "\nendsolid body\n")
+    return revolve([(0, 0), (D / 2, h), (D / 2, length), (0, length)], 96, centre, axis=2)
 
 
 def make(case, bodies, cells=40, edge=0.04, extra="", velocity="(3 2 -20)", omega="(100 50 30)"):
@@ -75,14 +44,14 @@ edges (); boundary (); defaultPatch {{ name walls; type wall; }}
 """)
     entries = ""
     for name, triangles in bodies.items():
-        stl(os.path.join(case, "constant/triSurface", name + ".stl"), triangles)
+        write_stl(os.path.join(case, "constant/triSurface", name + ".stl"), triangles)
         entries += f'{name} {{ surface "constant/triSurface/{name}.stl"; {extra} }}\n'
     foam(case, "constant/couplingProperties", f"velocity {velocity}; omega {omega}; bodies {{ {entries} }}\n")
     call(["blockMesh", "-case", case])
 
 
 def call(command, expect=0):
-    done = subprocess.run(command, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    done = subprocess.run(command, env=mpirun.environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if (done.returncode == 0) != (expect == 0):
         print(done.stdout[-4000:])
         sys.exit(f"FAILED: {' '.join(command)} ended with {done.returncode}")
@@ -100,7 +69,7 @@ def on_ranks(case, program, ranks, *options):
     foam(case, "system/decomposeParDict",
          f"numberOfSubdomains {ranks}; method hierarchical; coeffs {{ n {split}; delta 0.001; order xyz; }}\n")
     call(["decomposePar", "-case", case, "-force"])
-    return call([*MPIRUN, str(ranks), program, "-case", case, "-parallel", *options])
+    return call([*mpirun.COMMAND, "-np", str(ranks), program, "-case", case, "-parallel", *options])
 
 
 def check(holds, what):
@@ -151,9 +120,9 @@ def errors(program):
     refused({"ball": good}, ["lattice"], extra="lattice -1;")
     refused({"ball": good}, ["cellSize"], extra="cellSize 0;")
     refused({"ball": good}, ["volume", "ball.stl", "same unit"], options=["-volumeFactor", "1e9"])
-    needle = revolve([(0, 0), (0.0003, 0.0003), (0.0003, 0.02), (0, 0.02)], 8, (0.0014, 0.0014, 0.01))
+    needle = revolve([(0, 0), (0.0003, 0.0003), (0.0003, 0.02), (0, 0.02)], 8, (0.0014, 0.0014, 0.01), axis=2)
     refused({"needle": needle}, ["bodies.needle", "finer mesh"])
-    thin = revolve([(0, 0), (0.006, 0.0001), (0.006, 0.0021), (0, 0.002)], 24, (0.0005, 0.0007, 0.0208))
+    thin = revolve([(0, 0), (0.006, 0.0001), (0.006, 0.0021), (0, 0.002)], 24, (0.0005, 0.0007, 0.0208), axis=2)
     refused({"disc": thin}, ["bodies.disc", "Refine the mesh"])
     make("errors", {"ball": good}, cells=10)
     os.remove("errors/constant/triSurface/ball.stl")

@@ -22,8 +22,9 @@ import sys
 
 import numpy as np
 
-import body_case as bc
 import foam_case as fc
+import surfaces
+import tank_case
 
 D, N, SPEED, GRAVITY = 0.016, 8, 20.0, 9.81
 DX = D/N
@@ -35,16 +36,16 @@ def mesh(half_width, half_height, dx=DX, corner=False):
     lo, hi = (-half_width, -half_height, -half_width), (half_width, half_height, half_width)
     cells = [round((b - a)/dx) for a, b in zip(lo, hi)]
     if not corner:
-        return bc.box_mesh(lo, hi, cells)
+        return tank_case.box_mesh(lo, hi, cells)
     halved = " ".join(f"((1 2 1) ({n - 1} {n - 1} 1))" for n in cells)
-    return bc.box_mesh(lo, hi, [n + 1 for n in cells], f"({halved})")
+    return tank_case.box_mesh(lo, hi, [n + 1 for n in cells], f"({halved})")
 
 
 def prepare(folder, foam_mesh, triangles, surface_y, times, motion="", gravity=GRAVITY, sigma=0.0, top="open"):
     bodies = f'ball {{ surface "constant/triSurface/ball.stl"; {motion} }}' if triangles else ""
-    case = bc.write_case(folder, foam_mesh, surface_y, times, bodies, gravity=gravity, top=top, sigma=sigma)
+    case = tank_case.write_case(folder, foam_mesh, surface_y, times, bodies, gravity=gravity, top=top, sigma=sigma)
     if triangles:
-        bc.write_stl(case / "constant/triSurface/ball.stl", triangles)
+        surfaces.write_stl(case / "constant/triSurface/ball.stl", triangles)
     fc.run(["blockMesh"], case, "log.blockMesh")
     if surface_y is not None:
         fc.run(["setFields"], case, "log.setFields")
@@ -52,7 +53,7 @@ def prepare(folder, foam_mesh, triangles, surface_y, times, motion="", gravity=G
 
 
 def write_fluid_fraction(case, values):
-    bc.write(case / "0/fluidFraction", "dimensions [0 0 0 0 0 0 0]; internalField nonuniform List<scalar> "
+    tank_case.write(case / "0/fluidFraction", "dimensions [0 0 0 0 0 0 0]; internalField nonuniform List<scalar> "
              + f"{len(values)} ({' '.join(map(str, values))}); boundaryField {{ \".*\" {{ type zeroGradient; }} }}\n",
              "volScalarField")
 
@@ -65,8 +66,8 @@ def archimedes(foam, work):
     ok = True
     r = D/2
     for name, surface, centre in (("immersed", 1.2*D, -0.6*D), ("across", 0.0, 0.21*DX)):
-        body = bc.sphere(D, (OFFSET, centre, -OFFSET))
-        case = prepare(work / name, mesh(2*D, 2*D), body, surface, bc.control(0.005, 5e-4, 0.3))
+        body = surfaces.sphere(D, (OFFSET, centre, -OFFSET))
+        case = prepare(work / name, mesh(2*D, 2*D), body, surface, tank_case.control(0.005, 5e-4, 0.3))
         force = vertical_forces(fc.run([foam], case, "log.frazilFoam"))[-1]
         depth = min(max(surface - (centre - r), 0), 2*r)
         wet = math.pi*depth**2*(3*r - depth)/3
@@ -80,8 +81,8 @@ def archimedes(foam, work):
 def still_porous(foam, work):
     random.seed(1)
     cells = (8, 16, 8)
-    case = prepare(work / "still", bc.box_mesh((0, 0, 0), (0.08, 0.16, 0.08), cells), None, 0.08,
-                   bc.control(0.05, 1e-3, 0.3))
+    case = prepare(work / "still", tank_case.box_mesh((0, 0, 0), (0.08, 0.16, 0.08), cells), None, 0.08,
+                   tank_case.control(0.05, 1e-3, 0.3))
     text = (case / "system/fvSolution").read_text().replace("tolerance 1e-7; relTol 0.001", "tolerance 1e-12; relTol 0")
     (case / "system/fvSolution").write_text(text)
     write_fluid_fraction(case, [0.45 + 0.5*random.random() if 4 <= j < 12 and 2 <= i < 6 else 1.0
@@ -94,8 +95,8 @@ def still_porous(foam, work):
 
 def moving_sphere(foam, work):
     delta_t = 0.25*DX/SPEED
-    case = prepare(work / "moving", mesh(2*D, 2*D), bc.sphere(D, (OFFSET, 0.5*D, -OFFSET)), None,
-                   bc.control(20*delta_t, delta_t, adjust="no"), "motion { velocity (0 -20 0); omega (0 0 0); }",
+    case = prepare(work / "moving", mesh(2*D, 2*D), surfaces.sphere(D, (OFFSET, 0.5*D, -OFFSET)), None,
+                   tank_case.control(20*delta_t, delta_t, adjust="no"), "motion { velocity (0 -20 0); omega (0 0 0); }",
                    gravity=0)
     forces = vertical_forces(fc.run([foam], case, "log.frazilFoam"))[-8:]
     ripple = (max(forces) - min(forces))/2/(0.5*1000*SPEED**2*math.pi*D**2/4)
@@ -115,8 +116,8 @@ def closed_tank(foam, work):
     delta_t = 0.25*DX/SPEED
     excess, force = {}, {}
     for ranks in (1, 2):
-        case = prepare(work / f"ranks{ranks}", mesh(2*D, 2*D), bc.sphere(D, (OFFSET, 0.5*D, -OFFSET)), 0.0,
-                       bc.control(20*delta_t, delta_t, adjust="no"),
+        case = prepare(work / f"ranks{ranks}", mesh(2*D, 2*D), surfaces.sphere(D, (OFFSET, 0.5*D, -OFFSET)), 0.0,
+                       tank_case.control(20*delta_t, delta_t, adjust="no"),
                        "motion { velocity (0 -20 0); omega (0 0 0); }", top="closed")
         log = run_on(ranks, foam, case)
         excess[ranks] = max(float(a) for a in re.findall(r"Max\(alpha.water\) = (\S+)", log)) - 1
@@ -134,9 +135,9 @@ def momentum_case(folder, delta_t, steps):
     bodies = """
 ball { surface "constant/triSurface/ball.stl"; motion { velocity (0 -20 0); omega (0 0 0); } }
 rough { surface "constant/triSurface/rough.stl"; slip no; motion { velocity (3 0 0); omega (0 0 900); } }"""
-    case = bc.write_case(folder, box, 0.0, bc.control(steps*delta_t, delta_t, adjust="no", write_interval=delta_t), bodies)
-    bc.write_stl(case / "constant/triSurface/ball.stl", bc.sphere(D, (OFFSET, 0.4*D, -OFFSET)))
-    bc.write_stl(case / "constant/triSurface/rough.stl", bc.sphere(0.8*D, (OFFSET, -0.62*D, -OFFSET)))
+    case = tank_case.write_case(folder, box, 0.0, tank_case.control(steps*delta_t, delta_t, adjust="no", write_interval=delta_t), bodies)
+    surfaces.write_stl(case / "constant/triSurface/ball.stl", surfaces.sphere(D, (OFFSET, 0.4*D, -OFFSET)))
+    surfaces.write_stl(case / "constant/triSurface/rough.stl", surfaces.sphere(0.8*D, (OFFSET, -0.62*D, -OFFSET)))
     fc.run(["blockMesh"], case, "log.blockMesh")
     fc.run(["setFields"], case, "log.setFields")
     n = 3*N
@@ -216,8 +217,8 @@ def cone_figures(foam, folder, n=N, offset=0.37, half=(2.5*D, 3*D), corner=False
     """Figures of the 120° cone at 20 m/s with n cells per diameter, its axis offset [cells] from a mesh line."""
     dx = D/n
     gap = 1.2*dx
-    body = bc.cone(D, 2*D, (offset*dx, gap, -offset*dx))
-    case = prepare(folder, mesh(*half, dx, corner), body, 0.0, bc.control(gap/SPEED + 6.8e-4, 1e-5, 0.3),
+    body = surfaces.cone(D, 2*D, (offset*dx, gap, -offset*dx))
+    case = prepare(folder, mesh(*half, dx, corner), body, 0.0, tank_case.control(gap/SPEED + 6.8e-4, 1e-5, 0.3),
                    "motion { velocity (0 -20 0); omega (0 0 0); }", sigma=0.0725)
     log = fc.run([foam], case, "log.frazilFoam")
     depth = D/2/math.tan(math.radians(60))
@@ -226,7 +227,7 @@ def cone_figures(foam, folder, n=N, offset=0.37, half=(2.5*D, 3*D), corner=False
     return {
         "J(1)": impulse_to(1, t, cs), "J(2)": impulse_to(2, t, cs), "peak": max(cs), "at": t[cs.argmax()],
         "ripple": crossing_ripple(t, cs, dx/depth, 1.4),
-        "drift": max(abs(v - water[0]) for v in water)/bc.volume(body), "steps": len(t),
+        "drift": max(abs(v - water[0]) for v in water)/surfaces.volume(body), "steps": len(t),
     }
 
 

@@ -9,6 +9,9 @@ import subprocess
 import sys
 import tempfile
 
+import dem_script
+import mpirun
+
 D = 0.0024  # sphere diameter [m], ice of the paper
 R = D / 2
 RHO = 900.0  # [kg/m3]
@@ -22,26 +25,7 @@ I = A * R**2 / 4
 J = 2 * I
 STRONG = 1e30  # [Pa], a bond that never breaks
 
-HEAD = """
-atom_style granular
-boundary f f f
-newton off
-communicate single vel yes
-units si
-processors {processors}
-{spheres}
-neighbor {skin} bin
-neigh_modify delay 0
-"""
-
-MODEL = """
-fix m1 all property/global youngsModulus peratomtype 5e8
-fix m2 all property/global poissonsRatio peratomtype 0.33
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.2
-pair_style gran model hertz tangential history
-pair_coeff * *
-"""
+MODEL = dem_script.contacts(young="5e8", poisson=0.33, restitution=0.5, friction=0.2)
 
 
 def vec(text):
@@ -81,8 +65,9 @@ DIRECTIONS = {"x": [1, 0, 0], "face diagonal": unit([1, 0, 1]), "random": unit([
 
 
 def head(box="-0.02 0.02 -0.02 0.02 -0.02 0.02", processors="* * *", skin=0.0005, data_file=None):
-    create = f"read_data {data_file}" if data_file else f"region box block {box} units box\ncreate_box 1 box"
-    return HEAD.format(spheres=create, processors=processors, skin=skin)
+    sides = box.split()
+    create = f"read_data {data_file}" if data_file else dem_script.box(sides[::2], sides[1::2])
+    return dem_script.setting(create, processors=processors, skin=skin)
 
 
 def bond(group="all", name="bonds", young=E, kappa=KAPPA, tensile=STRONG, shear=STRONG, more=""):
@@ -129,10 +114,8 @@ class Run:
                 file.write(text)
         command = [dem, "-in", "in.script"]
         if ranks > 1:
-            command = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks)] + command
-        env = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_rmaps_base_oversubscribe="1")
-        done = subprocess.run(command, cwd=self.folder, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            command = [*mpirun.COMMAND, "-np", str(ranks), *command]
+        done = subprocess.run(command, cwd=self.folder, env=mpirun.environment(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               text=True, errors="replace", timeout=600)
         self.output = done.stdout
         failed = done.returncode != 0 or "ERROR" in self.output

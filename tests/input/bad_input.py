@@ -18,8 +18,6 @@ from launcher.run import plan, prepare
 from launcher.say import Failure
 from launcher.table import History
 from launcher.watch import pids_of, start_programs, watch
-if "FRAZIL_BUILD" in os.environ:
-    launcher.BUILD = Path(os.environ["FRAZIL_BUILD"])
 
 SECONDS = 20  # from the start of mpirun to its end, start of both programs included
 

@@ -14,9 +14,10 @@ from launcher.say import Failure
 from launcher.watch import start_programs, watch
 
 
-def planned(case, folder, settings=()):
+def planned(case, folder, settings=(), np_foam=1):
     """The Run of a case in `folder`, not prepared yet."""
-    words = ["run", case, "--out", str(folder)] + [word for setting in settings for word in ("--set", setting)]
+    ranks = ["--np-foam", str(np_foam)] if np_foam > 1 else []
+    words = ["run", case, "--out", str(folder), *ranks] + [word for setting in settings for word in ("--set", setting)]
     return plan(parser().parse_args(words))
 
 
