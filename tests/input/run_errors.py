@@ -12,7 +12,6 @@ import unittest
 from pathlib import Path
 
 from launcher import cli, places
-from launcher.build import setup
 from launcher.case import find_case, read, shipped
 from launcher.cli import parser, run_case
 from launcher.resume import forget_after, restart_point, resume
@@ -163,7 +162,7 @@ class Launcher(unittest.TestCase):
         (self.case / "check").write_text("import sys; print('checked', sys.argv[1]); sys.exit(3)\n")
         for name, script in (("blockMesh", ":"), ("frazilDem", HISTORY), ("frazilFoam", ":")):
             self.program(name, script)
-        setup = lambda: 0
+        cli.setup = lambda: 0
         self.assertEqual(run_case(self.arguments()), 3)
         metrics = json.loads((self.folder / "out/metrics.json").read_text())
         self.assertEqual((metrics["fluid_steps"], metrics["last"]["broken_shear"]), (2, 4))
@@ -209,7 +208,7 @@ class Launcher(unittest.TestCase):
             self.assertRegex(readme, rf"(?m)^\| \[{name}\]\(cases/{name}/README.md\) \| {re.escape(question)}.* \| {levels} \|$")
 
     def test_command_line_of_every_word(self):
-        command = [frazil_places.TOP / "frazil", "--help"]
+        command = [places.TOP / "frazil", "--help"]
         shown = subprocess.run(command, capture_output=True, text=True, check=True).stdout
         for word in ("setup", "exec", "run", "test"):
             self.assertIn(word, shown)
