@@ -1,4 +1,5 @@
 #include "immersedBodies.H"
+#include "bodyCellSize.H"
 #include "bodyEdges.H"
 #include "bodyWetting.H"
 #include "couplingSettings.H"
@@ -45,37 +46,6 @@ frazil::Settings settingsOf(const dictionary& bodiesDict)
 constexpr scalar muchFiner = 0.8;
 
 } // End anonymous namespace
-
-
-// * * * * * * * * * * * * Closed shares of faces * * * * * * * * * * * * * //
-
-void Foam::immersedBodies::closedFaces::reset(const label nFaces)
-{
-    share.setSize(nFaces);
-    share = 0;
-    faces.clear();
-}
-
-
-void Foam::immersedBodies::closedFaces::clear()
-{
-    for (const label facei : faces)
-    {
-        share[facei] = 0;
-    }
-    faces.clear();
-}
-
-
-void Foam::immersedBodies::closedFaces::add(const bodyCut& cut)
-{
-    forAll(cut.faces, i)
-    {
-        scalar& closed = share[cut.faces[i]];
-        closed = min(closed + cut.closed[i], scalar(1));
-        faces.append(cut.faces[i]);
-    }
-}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -137,47 +107,12 @@ void Foam::immersedBodies::checkInMesh() const
 }
 
 
-Foam::scalar Foam::immersedBodies::cellSizeAt(const immersedBody& body) const
-{
-    scalar inBox = GREAT;
-    scalar anywhere = GREAT;
-    forAll(mesh_.V(), celli)
-    {
-        const scalar V = mesh_.V()[celli];
-        anywhere = min(anywhere, V);
-        if (V < inBox && body.boxHolds(mesh_.cellCentres()[celli]))
-        {
-            inBox = V;
-        }
-    }
-    reduce(inBox, minOp<scalar>());
-    reduce(anywhere, minOp<scalar>());
-    return std::cbrt(inBox < GREAT ? inBox : anywhere);
-}
-
-
-Foam::scalar Foam::immersedBodies::finestCut(const label bodyi) const
-{
-    scalar least = GREAT;
-    const bodyCut& cut = cuts_[bodyi];
-    forAll(cut.cells, i)
-    {
-        if (cut.share[i] > 0 && cut.share[i] < 1)
-        {
-            least = min(least, mesh_.V()[cut.cells[i]]);
-        }
-    }
-    reduce(least, minOp<scalar>());
-    return least < GREAT ? std::cbrt(least) : GREAT;
-}
-
-
 void Foam::immersedBodies::warnOfFinerCells()
 {
     forAll(bodies_, i)
     {
         const immersedBody& body = bodies_[i];
-        const scalar finest = warned_[i] || body.cellSizeGiven() ? GREAT : finestCut(i);
+        const scalar finest = warned_[i] || body.cellSizeGiven() ? GREAT : finestCut(mesh_, cuts_[i]);
         if (finest < muchFiner*body.cellSize())
         {
             warned_[i] = true;
@@ -277,42 +212,6 @@ void Foam::immersedBodies::cutAt
 }
 
 
-void Foam::immersedBodies::setTheta()
-{
-    scalarField& theta = theta_.primitiveFieldRef();
-    theta = 1;
-    for (fvsPatchScalarField& ptheta : theta_.boundaryFieldRef())
-    {
-        ptheta = 1;
-    }
-
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    auto set = [&](const label facei)
-    {
-        const scalar open =
-            1 - 0.5*(closedStart_.share[facei] + closedEnd_.share[facei]);
-        if (facei < mesh_.nInternalFaces())
-        {
-            theta[facei] = open;
-            return;
-        }
-        const label patchi = patches.whichPatch(facei);
-        fvsPatchScalarField& ptheta = theta_.boundaryFieldRef()[patchi];
-        if (ptheta.size())
-        {
-            ptheta[facei - patches[patchi].start()] = open;
-        }
-    };
-    for (const closedFaces* closed : {&closedStart_, &closedEnd_})
-    {
-        for (const label facei : closed->faces)
-        {
-            set(facei);
-        }
-    }
-}
-
-
 void Foam::immersedBodies::startStep()
 {
     if (timeIndex_ != mesh_.time().timeIndex())
@@ -328,7 +227,7 @@ void Foam::immersedBodies::startStep()
 void Foam::immersedBodies::placeAtEnd()
 {
     cutAt(end_, closedEnd_);
-    setTheta();
+    setOpenShares(theta_, closedStart_, closedEnd_);
     keepPoses();
 }
 
@@ -369,7 +268,7 @@ void Foam::immersedBodies::goOn()
     gamma_.oldTime() == gamma_;
     cutAt(end_, closedEnd_);
     timeIndex_ = mesh_.time().timeIndex();
-    setTheta();
+    setOpenShares(theta_, closedStart_, closedEnd_);
     continued_ = true;
 }
 
@@ -472,7 +371,7 @@ void Foam::immersedBodies::place(const std::vector<frazil::BodyState>& states)
     {
         bodies_[i].check(*ordered[i]);
         bodies_[i].place(*ordered[i]);
-        bodies_[i].resolve(cellSizeAt(bodies_[i]));
+        bodies_[i].resolve(cellSizeAt(mesh_, bodies_[i]));
         end_[i] = bodies_[i].pose();
     }
     start_ = end_;
@@ -481,7 +380,7 @@ void Foam::immersedBodies::place(const std::vector<frazil::BodyState>& states)
     gamma_.oldTime() == gamma_;
     closedStart_ = closedEnd_;
     timeIndex_ = mesh_.time().timeIndex();
-    setTheta();
+    setOpenShares(theta_, closedStart_, closedEnd_);
     keepPoses();
 }
 
@@ -560,25 +459,6 @@ Foam::scalar Foam::immersedBodies::wetFraction
         bodies_[i].reach(),
         up
     );
-}
-
-
-Foam::scalar Foam::immersedBodies::largestDeltaT
-(
-    const std::vector<frazil::BodyState>& states,
-    const scalar share
-) const
-{
-    const auto ordered = inOurOrder(states);
-    scalar least = GREAT;
-    forAll(bodies_, i)
-    {
-        const bodyPose pose(*ordered[i]);
-        const scalar speed =
-            mag(pose.velocity) + mag(pose.omega)*bodies_[i].reach();
-        least = min(least, share*finestCut(i)/max(speed, VSMALL));
-    }
-    return least;
 }
 
 

@@ -1,9 +1,8 @@
 #include "openVolume.H"
 #include "immersedBodies.H"
-#include "gaussConvectionScheme.H"
-#include "pimpleControl.H"
-#include "upwind.H"
-#include "fixedValueFvPatchFields.H"
+#include "faceMax.H"
+#include "potentialFlux.H"
+#include "smallCells.H"
 #include "zeroGradientFvPatchFields.H"
 
 namespace Foam
@@ -34,13 +33,6 @@ autoPtr<GeometricField<Type, fvPatchField, volMesh>> cellField
 }
 
 
-//- Least ε [-] that MULES divides by, in cells that are closed
-const scalar divisible = 1e-9;
-
-//- Least ε [-] in the pressure equation's cell coefficient; the faces of such a cell are closed
-const scalar divisiblePressure = 1e-6;
-
-
 //- Set value and old value of the current time index
 void setWithOld(volScalarField& vf, const volScalarField& old, const volScalarField& now)
 {
@@ -53,27 +45,6 @@ void setWithOld(volScalarField& vf, const volScalarField& old, const volScalarFi
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-tmp<surfaceScalarField> openVolume::faceMax(const volScalarField& vf) const
-{
-    tmp<surfaceScalarField> tmax(fvc::interpolate(vf));
-    surfaceScalarField& fmax = tmax.ref();
-
-    forAll(fmax, facei)
-    {
-        fmax[facei] = max(vf[mesh_.owner()[facei]], vf[mesh_.neighbour()[facei]]);
-    }
-    forAll(fmax.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pvf = vf.boundaryField()[patchi];
-        fmax.boundaryFieldRef()[patchi] =
-            pvf.coupled()
-          ? max(pvf.patchInternalField(), pvf.patchNeighbourField())
-          : pvf.patchInternalField();
-    }
-    return tmax;
-}
-
-
 void openVolume::setFaces()
 {
     faces_() == fvc::interpolate(*fluidFraction_);
@@ -84,57 +55,15 @@ void openVolume::setFaces()
         solid_() == neg(max(start_(), end_()) - divisible);
         faces_() *= bodies_->theta()*(1.0 - faceMax(solid_()));
         small_() == neg(min(start_(), end_()) - smallCell*(*fluidFraction_));
-        mergeSmallCells();
+        mergeSmallCells
+        (
+            merged_(),
+            min(start_(), end_())/(*fluidFraction_),
+            smallCell,
+            solid_(),
+            bodies_->normal()
+        );
     }
-}
-
-
-void openVolume::mergeSmallCells()
-{
-    const volScalarField least(min(start_(), end_())/(*fluidFraction_));
-    const volScalarField share((1.0 - solid_())*sqr(max(1.0 - least/smallCell, scalar(0))));
-    const volVectorField& normal = bodies_->normal();
-    const surfaceVectorField Sf(mesh_.Sf()/mesh_.magSf());
-    surfaceScalarField& merged = merged_();
-
-    // From the small cell to its neighbour on the fluid's side of the surface, weighted by the angle
-    auto conductance = [](const scalar share, const scalar cosine)
-    {
-        return share*sqr(max(cosine, scalar(0)));
-    };
-
-    forAll(merged, facei)
-    {
-        const label own = mesh_.owner()[facei];
-        const label nei = mesh_.neighbour()[facei];
-        merged[facei] =
-            conductance(share[own], normal[own] & Sf[facei])
-          + conductance(share[nei], -(normal[nei] & Sf[facei]));
-    }
-    forAll(merged.boundaryField(), patchi)
-    {
-        if (!mesh_.boundary()[patchi].coupled())
-        {
-            continue;
-        }
-        const scalarField own(share.boundaryField()[patchi].patchInternalField());
-        const scalarField nei(share.boundaryField()[patchi].patchNeighbourField());
-        const vectorField ownNormal(normal.boundaryField()[patchi].patchInternalField());
-        const vectorField neiNormal(normal.boundaryField()[patchi].patchNeighbourField());
-        const vectorField& pSf = Sf.boundaryField()[patchi];
-        forAll(own, i)
-        {
-            merged.boundaryFieldRef()[patchi][i] =
-                conductance(own[i], ownNormal[i] & pSf[i]) + conductance(nei[i], -(neiNormal[i] & pSf[i]));
-        }
-    }
-    merged *= 1.0 - faceMax(solid_());
-}
-
-
-tmp<volScalarField> openVolume::anchoring() const
-{
-    return max(1.0 - 10.0*end_(), scalar(0));
 }
 
 
@@ -214,65 +143,6 @@ void openVolume::update()
 }
 
 
-tmp<surfaceScalarField> openVolume::potentialFlux
-(
-    const surfaceScalarField* phi,
-    const scalarField& demand,
-    const volScalarField& p_rgh,
-    pimpleControl& pimple
-) const
-{
-    wordList types(p_rgh.boundaryField().size(), zeroGradientFvPatchScalarField::typeName);
-    forAll(types, patchi)
-    {
-        if (p_rgh.boundaryField()[patchi].fixesValue())
-        {
-            types[patchi] = fixedValueFvPatchScalarField::typeName;
-        }
-    }
-    volScalarField pcorr
-    (
-        IOobject("pcorr", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(p_rgh.dimensions(), Zero),
-        types
-    );
-    mesh_.setFluxRequired(pcorr.name());
-
-    const surfaceScalarField unit
-    (
-        IOobject("unit", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar("unit", dimTime/dimDensity, 1.0)
-    );
-    const tmp<surfaceScalarField> conductance(faceCoefficient(unit));
-
-    // In a tank without an outlet the level is free: held in one cell of all, as setRefCell does. Held on every rank,
-    // volume would flow between the ranks' cells
-    const label refCell = Pstream::master() ? 0 : -1;
-    tmp<surfaceScalarField> tflux(new surfaceScalarField("potentialFlux", 0*wholeFlux_()));
-
-    while (pimple.correctNonOrthogonal())
-    {
-        fvScalarMatrix pcorrEqn(fvm::laplacian(conductance(), pcorr));
-        if (phi)
-        {
-            pcorrEqn -= fvc::div(*phi);
-        }
-        pcorrEqn.source() -= demand;
-        anchorPressure(pcorrEqn, pcorr, unit);
-        pcorrEqn.setReference(refCell, 0);
-        pcorrEqn.solve(mesh_.solver(pcorr.select(pimple.finalNonOrthogonalIter())));
-
-        if (pimple.finalNonOrthogonalIter())
-        {
-            tflux.ref() = -pcorrEqn.flux();
-        }
-    }
-    return tflux;
-}
-
-
 void openVolume::correctFlux
 (
     surfaceScalarField& phi,
@@ -282,11 +152,13 @@ void openVolume::correctFlux
 {
     // What passed through faces that are closed now stays behind
     phi *= pos(faces_() + merged_());
-    phi += potentialFlux(&phi, sweptVolume(), p_rgh, pimple);
+    const tmp<surfaceScalarField> conductance(faceCoefficient(unitConductance(mesh_)()));
+    const volScalarField* solid = bodies_ ? &solid_() : nullptr;
+    phi += potentialFlux(conductance(), &phi, sweptVolume(), p_rgh, solid, pimple);
 
     if (bodies_)
     {
-        cuttingFlux_() = potentialFlux(nullptr, cuttingDemand(), p_rgh, pimple);
+        cuttingFlux_() = potentialFlux(conductance(), nullptr, cuttingDemand(), p_rgh, solid, pimple);
     }
 }
 
@@ -459,188 +331,11 @@ tmp<surfaceScalarField> openVolume::faceCoefficient(const surfaceScalarField& rA
 }
 
 
-tmp<fvVectorMatrix> openVolume::convection(const surfaceScalarField& rhoPhi, const volVectorField& U) const
-{
-    const word name("div(rhoPhi,U)");
-    if (!active())
-    {
-        return fvm::div(rhoPhi, U, name);
-    }
-
-    const upwind<vector> implicitScheme(mesh_, rhoPhi);
-    surfaceVectorField difference
-    (
-        fv::convectionScheme<vector>::New(mesh_, rhoPhi, mesh_.divScheme(name))->interpolate(rhoPhi, U)
-      - implicitScheme.interpolate(U)
-    );
-    if (bodies_)
-    {
-        difference *= neg(faceMax(max(bodies_->gamma(), bodies_->gamma().oldTime())) - SMALL);
-    }
-    return
-        fv::gaussConvectionScheme<vector>(mesh_, rhoPhi, implicitScheme).fvmDiv(rhoPhi, U)
-      + fvc::surfaceIntegrate(rhoPhi*difference);
-}
-
-
 scalar openVolume::courantNumber(const surfaceScalarField& phi) const
 {
     const scalarField rate(fvc::surfaceSum(mag(phi))().primitiveField());
     return 0.5*gMax(rate/(mesh_.V()*fluidFraction_->primitiveField()))*mesh_.time().deltaTValue();
 }
 
-
-void openVolume::anchor(fvVectorMatrix& UEqn, const volScalarField& rho, const volVectorField& U) const
-{
-    if (bodies_)
-    {
-        const volScalarField coefficient(anchoring()*rho/mesh_.time().deltaT());
-        UEqn += fvm::Sp(coefficient, U) - coefficient*U;
-    }
-}
-
-
-void openVolume::anchorPressure
-(
-    fvScalarMatrix& pEqn,
-    const volScalarField& p_rgh,
-    const surfaceScalarField& rAUf
-) const
-{
-    if (bodies_)
-    {
-        const scalarField anchored
-        (
-            solid_().primitiveField()
-           *fvc::surfaceSum(rAUf*mesh_.magSf()*mesh_.deltaCoeffs())().primitiveField()
-        );
-        pEqn.diag() -= anchored;
-        pEqn.source() -= anchored*p_rgh.primitiveField();
-    }
-}
-
-
-void openVolume::addSweptVolume
-(
-    fvScalarMatrix& pEqn,
-    const volScalarField& p_rgh,
-    const surfaceScalarField& rAUf
-) const
-{
-    pEqn.source() -= sweptVolume();
-    anchorPressure(pEqn, p_rgh, rAUf);
-}
-
-
-template<class Type>
-void openVolume::extend(GeometricField<Type, fvPatchField, volMesh>& vf, const scalarField& closed) const
-{
-    const volVectorField& normal = bodies_->normal();
-
-    for (label sweep = 0; sweep < nExtensionLayers; ++sweep)
-    {
-        vf.correctBoundaryConditions();
-        Field<Type> sum(mesh_.nCells(), Zero);
-        scalarField weights(mesh_.nCells(), Zero);
-
-        auto take = [&](const label celli, const Type& value, const scalar outward)
-        {
-            if (closed[celli] > 0.5 && outward > 0)
-            {
-                sum[celli] += outward*value;
-                weights[celli] += outward;
-            }
-        };
-
-        for (label facei = 0; facei < mesh_.nInternalFaces(); ++facei)
-        {
-            const label own = mesh_.owner()[facei];
-            const label nei = mesh_.neighbour()[facei];
-            const vector& S = mesh_.Sf()[facei];
-            take(own, vf[nei], normal[own] & S);
-            take(nei, vf[own], -(normal[nei] & S));
-        }
-        for (const fvPatchField<Type>& pvf : vf.boundaryField())
-        {
-            if (pvf.coupled())
-            {
-                const Field<Type> other(pvf.patchNeighbourField());
-                forAll(other, i)
-                {
-                    const label celli = pvf.patch().faceCells()[i];
-                    take(celli, other[i], normal[celli] & pvf.patch().Sf()[i]);
-                }
-            }
-        }
-        forAll(sum, celli)
-        {
-            if (weights[celli] > 0)
-            {
-                vf[celli] = sum[celli]/weights[celli];
-            }
-        }
-    }
-    vf.correctBoundaryConditions();
-}
-
-
-void openVolume::extendIntoBodies(volScalarField& vf) const
-{
-    if (active() && bodies_)
-    {
-        extend(vf, closedAtEnd());
-    }
-}
-
-
-void openVolume::extendPressure(volScalarField& p_rgh) const
-{
-    if (active() && bodies_)
-    {
-        extend(p_rgh, solid_());
-    }
-}
-
-
-tmp<scalarField> openVolume::closedAtEnd() const
-{
-    return neg(end_().primitiveField() - divisible);
-}
-
-
-void openVolume::blendWithBodies(volVectorField& U) const
-{
-    if (!active() || !bodies_)
-    {
-        return;
-    }
-    // Cells that have closed just now keep the momentum that left them; overwriting it costs 12 % of ½ρU²A in ripple
-    extend(U, solid_());
-
-    // 0 where half of the cell is open, 1 where less than a tenth is
-    const volScalarField weight(min(max((0.5 - (1.0 - bodies_->gamma()))/0.4, scalar(0)), scalar(1)));
-    U += weight*bodies_->constrained(bodies_->Ub() - U);
-    U.correctBoundaryConditions();
-}
-
-
-void openVolume::reportContinuity(const surfaceScalarField& phi, scalar& cumulative) const
-{
-    const scalar deltaT = mesh_.time().deltaTValue();
-    volScalarField error(fvc::div(phi));
-    if (active())
-    {
-        error += (end_() - start_())/mesh_.time().deltaT();
-    }
-
-    const scalar local = deltaT*mag(error)().weightedAverage(mesh_.V()).value();
-    const scalar global = deltaT*error.weightedAverage(mesh_.V()).value();
-    cumulative += global;
-
-    Info<< "time step continuity errors : sum local = " << local
-        << ", global = " << global
-        << ", cumulative = " << cumulative
-        << endl;
-}
 
 } // End namespace Foam

@@ -16,12 +16,6 @@
 namespace
 {
 
-frazil::Vec3 vec3(const Foam::vector& v)
-{
-    return {v.x(), v.y(), v.z()};
-}
-
-
 //- Density and dynamic viscosity of phase number n of transportProperties
 frazil::Phase phase(const Foam::dictionary& transport, const Foam::label n)
 {
@@ -156,7 +150,7 @@ Foam::fluidCoupling::fluidCoupling
                 settings,
                 phase(transportProperties, 0),
                 phase(transportProperties, 1),
-                vec3(g.value()),
+                toVec3(g.value()),
                 bodyHellos()
             )
         );
@@ -205,7 +199,7 @@ void Foam::fluidCoupling::updateParticles(const flowOnParticles& flow)
     {
         open = 1.0 - bodies_->gamma().primitiveField();
     }
-    exchange_->advance(flow, open, vec3(reaction_.ahead()));
+    exchange_->advance(flow, open, toVec3(reaction_.ahead()));
     const frazil::FineSource& source = exchange_->source();
 
     // Trigger the storage of the old value before the new one comes in

@@ -1,18 +1,14 @@
 #include "pairExchange.H"
 #include "coarsePieces.H"
+#include "conversions.H"
 #include "Pstream.H"
 #include "Time.H"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-
-#include <fmt/format.h>
-
-#include "Sum.h"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -26,69 +22,12 @@ double wallTime()
 }
 
 
-//- Foam::vector and frazil::Vec3 are both three doubles in a row
-const frazil::Vec3* asVec3(const Foam::vectorField& field)
-{
-    static_assert(sizeof(Foam::vector) == sizeof(frazil::Vec3), "layout");
-    return reinterpret_cast<const frazil::Vec3*>(field.cdata());
-}
-
-
-frazil::Box boxOf(const Foam::boundBox& bb)
-{
-    return
-    {
-        {bb.min().x(), bb.min().y(), bb.min().z()},
-        {bb.max().x(), bb.max().y(), bb.max().z()}
-    };
-}
-
-
 frazil::Box coarseBox(const frazil::Settings& settings)
 {
     const frazil::Settings& s = settings.sub("coarseGrid");
     return {s.vec3("min"), s.vec3("max")};
 }
 
-
-//- Names of the columns that transport() fills
-const char* const transportHeader =
-    ",demParticles,particlesLost,demVolume,demImpulseX,demImpulseY,demImpulseZ,"
-    "demMomentumX,demMomentumY,demMomentumZ,volumeErrorTransport,impulseErrorTransport";
-
-
-//- What arrived, summed over the fluid ranks
-struct Arrived
-{
-    double particles = 0;
-    double volume = 0;                 // [m3]
-    frazil::Vec3 impulse;              // [N s]
-    double impulseScale = 0;           // sum of the magnitudes [N s]
-};
-
-
-Arrived arrived(const frazil::ParticleView& particles)
-{
-    Arrived here;
-    here.particles = double(particles.count);
-    for (std::size_t p = 0; p < particles.count; ++p)
-    {
-        here.volume += 4.0/3.0*M_PI*std::pow(particles.radius[p], 3);
-        here.impulse += particles.impulse[p];
-        here.impulseScale += norm(particles.impulse[p]);
-    }
-
-    const frazil::Vec3& j = here.impulse;
-    double sums[] = {here.particles, here.volume, j.x, j.y, j.z, here.impulseScale};
-    frazil::sumOverRanks(sums, 6, frazil::World::instance().own());
-    return {sums[0], sums[1], {sums[2], sums[3], sums[4]}, sums[5]};
-}
-
-
-double relative(const double difference, const double scale)
-{
-    return scale > 0 ? difference/scale : difference;
-}
 
 } // End anonymous namespace
 
@@ -106,7 +45,7 @@ void Foam::pairExchange::connect
     hello.gravity = gravity;
     hello.startTime = mesh_.time().value();
     hello.endTime = mesh_.time().endTime().value();
-    hello.mesh = boxOf(mesh_.bounds());
+    hello.mesh = toBox(mesh_.bounds());
     hello.coarse = grid_.box();
     hello.cellSize = grid_.cellSize();
     hello.watchdog = watchdog;
@@ -168,35 +107,8 @@ void Foam::pairExchange::openLedger()
     if (!restarted_)
     {
         ledger_()
-            << frazil::Ledger::csvHeader().c_str() << transportHeader << endl;
+            << frazil::Ledger::csvHeader().c_str() << transportLedger::header().c_str() << endl;
     }
-}
-
-
-std::string Foam::pairExchange::transport
-(
-    const frazil::StepReport& report,
-    const frazil::ParticleView& particles
-)
-{
-    const Arrived here = arrived(particles);
-    const double before = arrivedBefore_ < 0 ? report.particles : arrivedBefore_;
-    arrivedBefore_ = here.particles;
-    return fmt::format
-    (
-        ",{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g},{:.3g}",
-        report.particles,
-        before - here.particles,
-        report.solidVolume,
-        report.impulse.x,
-        report.impulse.y,
-        report.impulse.z,
-        report.momentum.x,
-        report.momentum.y,
-        report.momentum.z,
-        relative(std::abs(here.volume - report.solidVolume), report.solidVolume),
-        relative(norm(here.impulse - report.impulse), here.impulseScale)
-    );
 }
 
 
@@ -234,31 +146,9 @@ frazil::StepOrder Foam::pairExchange::order(const scalar deltaT)
 {
     const Time& time = mesh_.time();
     const scalar left = time.endTime().value() - time.value();
-
-    // A hair more than whole, so that 10.0 DEM steps do not become 9
-    const double fitting = std::floor(deltaT/demDeltaT_*(1 + 1e-9));
-    // Written so that a deltaT that is not a number ends here too
-    if (!(deltaT >= 1e-3*demDeltaT_))
-    {
-        throw std::runtime_error
-        (
-            "the fluid diverges: at fluid time " + std::to_string(time.value())
-          + " s the Courant number allows less than a thousandth of the DEM "
-            "time step. Look at the last fields written; reduce maxCo or "
-            "maxDeltaT in system/controlDict, or refine the mesh"
-        );
-    }
-    const double untilEnd = std::max(1.0, std::round(left/demDeltaT_));
-
-    if (fitting < 1)
-    {
-        ++longSteps_;
-    }
-
     frazil::StepOrder order;
     order.time = time.value();
-    order.substeps =
-        std::int64_t(std::min(std::max(1.0, fitting), untilEnd));
+    order.substeps = length_.substeps(deltaT, demDeltaT_, time.value(), left);
     order.deltaT = order.substeps*demDeltaT_;
     order.written = time.writeTime();
     order.waited = link_.waited();
@@ -436,7 +326,7 @@ void Foam::pairExchange::advance
     link_.sendReplies(replies_);
     link_.sendBodyLoads(bodyLoads_);
 
-    const std::string columns = transport(report_, particles_->view());
+    const std::string columns = transport_.line(report_, particles_->view());
     if (ledger_.valid())
     {
         ledger_() << ledger.csvLine(order_.time).c_str() << columns.c_str() << endl;
@@ -515,10 +405,10 @@ void Foam::pairExchange::finish()
 {
     link_.finish(mesh_.time().value(), mesh_.time().writeTime());
 
-    if (longSteps_)
+    if (length_.longSteps())
     {
         WarningInFunction
-            << longSteps_ << " fluid steps were one DEM step long and still "
+            << length_.longSteps() << " fluid steps were one DEM step long and still "
             << "above the Courant number asked for: reduce the DEM time step"
             << endl;
     }

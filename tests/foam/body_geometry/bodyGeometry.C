@@ -14,11 +14,24 @@ Description
 #include "fvCFD.H"
 #include "cpuTime.H"
 #include "immersedBodies.H"
+#include "bodyCellSize.H"
 #include "syncTools.H"
 
 #include <exception>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Edge of the finest cell that a body cuts [m]
+scalar finest(const immersedBodies& bodies, const fvMesh& mesh)
+{
+    scalar least = GREAT;
+    for (label i = 0; i < bodies.size(); ++i)
+    {
+        least = min(least, finestCut(mesh, bodies.cutOf(i)));
+    }
+    return least;
+}
+
 
 void require(const bool holds, const char* what)
 {
@@ -167,7 +180,7 @@ void run
     for (label step = 0; step < steps; ++step)
     {
         ++runTime;
-        const scalar deltaT = bodies.largestDeltaT(states, 0.3);
+        const scalar deltaT = 0.3*finest(bodies, mesh)/(mag(velocity) + mag(omega)*0.02); // no point is 20 mm off the centre
         const scalarField last(bodies.gamma().primitiveField());
         cpuTime clock;
         if (refine)
