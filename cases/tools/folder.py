@@ -5,6 +5,8 @@ import shutil
 import sys
 from pathlib import Path
 
+COMMON = Path(__file__).resolve().parent / "foam"  # what cases have alike: water and air, gravity, schemes, solvers
+
 
 def arguments():
     """(run folder, parameters) of `prepare RUNFOLDER PARAMS.json`."""
@@ -13,12 +15,9 @@ def arguments():
     return Path(sys.argv[1]), json.loads(Path(sys.argv[2]).read_text())
 
 
-COMMON = Path(__file__).resolve().parent / "foam"  # what most cases have alike: water and air, gravity, schemes, solvers
-
-
 def copy_foam(source, run, numbers):
-    """The common files, then those of the case's foam/, with 0.orig as 0; in the files $name, OpenFOAM's own notation for a macro, becomes the number, so that the
-    run folder shows every value in its place."""
+    """The common files, then those of the case's foam/, which may replace them, with 0.orig as 0. In all of them $name,
+    OpenFOAM's own notation for a macro, becomes the number, so that the run folder shows every value in its place."""
     foam = run / "foam"
     for files in (COMMON, source):
         shutil.copytree(files, foam, dirs_exist_ok=True)

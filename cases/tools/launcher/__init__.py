@@ -1,2 +1,8 @@
-"""Frazil's launcher: what `./frazil` does once it has found Python. Imports point one way: places <- say <- {packages,
-foam_source} <- build <- environment <- {case, run} <- {resume, failure} <- watch, {table} <- results, all <- cli."""
+"""Frazil's launcher: what `./frazil` does once it has found Python. Imports point one way, from the right to the left:
+
+    places, say, table <- packages <- foam_source <- build
+                                      foam_source <- environment
+                                      case, environment <- run <- failure <- watch
+                                                           run <- resume, results
+    all of these <- cli
+"""
