@@ -1,8 +1,9 @@
-"""Frazil's launcher: what `./frazil` does once it has found Python. Imports point one way, from the right to the left:
+"""Frazil's launcher: what `./frazil` does once it has found Python. A module imports only those of earlier lines:
 
-    places, say, table <- packages <- foam_source <- build
-                                      foam_source <- environment
-                                      case, environment <- run <- failure <- watch
-                                                           run <- resume, results
-    all of these <- cli
+    places, say, table
+    packages, foam_source, build   set-up; foam_source imports packages, build both
+    environment, case, run
+    failure, watch
+    resume, results
+    cli
 """

@@ -6,7 +6,7 @@ from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[3]
 TOOLS = TOP / "cases/tools"
-BUILD = Path(os.environ.get("FRAZIL_BUILD", TOP / "build")).resolve()
+BUILD = Path(os.environ.get("FRAZIL_BUILD", TOP / "build")).absolute()
 
 
 def setup_log() -> Path:
