@@ -5,6 +5,9 @@ import shutil
 import sys
 from pathlib import Path
 
+COMMON = Path(__file__).resolve().parent / "foam"  # what cases have alike: water and air, gravity, time, schemes, solvers
+STOCK = {"tolerance": 1e-8, "write_interval": 0.1}  # of the linear solvers; of the fluid's output [s]
+
 
 def arguments():
     """(run folder, parameters) of `prepare RUNFOLDER PARAMS.json`."""
@@ -13,13 +16,11 @@ def arguments():
     return Path(sys.argv[1]), json.loads(Path(sys.argv[2]).read_text())
 
 
-COMMON = Path(__file__).resolve().parent / "foam"  # what most cases have alike: water and air, gravity, schemes, solvers
-
-
 def copy_foam(source, run, numbers):
-    """The common files, then those of the case's foam/, with 0.orig as 0; in the files $name, OpenFOAM's own notation for a macro, becomes the number, so that the
-    run folder shows every value in its place."""
-    foam = run / "foam"
+    """The common files, then those of the case's foam/, which may replace them, with 0.orig as 0. In all of them $name,
+    OpenFOAM's own notation for a macro, becomes the number, given or stock, so that the run folder shows every value in its
+    place."""
+    foam, numbers = run / "foam", {**STOCK, **numbers}
     for files in (COMMON, source):
         shutil.copytree(files, foam, dirs_exist_ok=True)
     (foam / "0.orig").rename(foam / "0")

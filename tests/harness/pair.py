@@ -1,18 +1,16 @@
 """The real pair in a folder: frazilDem with in.two, frazilFoam with foam/. FRAZIL_BUILD names the build folder."""
-import os
 import subprocess
 import sys
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-BUILD = Path(os.environ.get("FRAZIL_BUILD", ROOT / "build"))
+from launcher.places import BUILD, TOP
+
 SECONDS = 600  # a pair that takes longer hangs
 
 
 def mesh(folder, tools=("blockMesh",)):
     """Runs OpenFOAM's tools in folder/foam."""
     for tool in tools:
-        subprocess.run([ROOT / "frazil", "exec", tool], cwd=folder / "foam", check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([TOP / "frazil", "exec", tool], cwd=folder / "foam", check=True, stdout=subprocess.DEVNULL)
 
 
 def launch(folder, dem_ranks=1, foam_ranks=1, script="in.two"):
@@ -20,7 +18,7 @@ def launch(folder, dem_ranks=1, foam_ranks=1, script="in.two"):
     parallel = ["-parallel"] if foam_ranks > 1 else []
     with open(folder / "log.pair", "a") as log:
         code = subprocess.run(
-            [ROOT / "frazil", "exec", "mpirun", "--oversubscribe", "-np", str(dem_ranks), BUILD / "bin/frazilDem", "-in",
+            [TOP / "frazil", "exec", "mpirun", "--oversubscribe", "-np", str(dem_ranks), BUILD / "bin/frazilDem", "-in",
              script, "-log", "log.dem", "-screen", "/dev/null", ":", "-np", str(foam_ranks), BUILD / "bin/frazilFoam",
              "-case", "foam", *parallel], cwd=folder, stdout=log, stderr=log, timeout=SECONDS).returncode
     if code:

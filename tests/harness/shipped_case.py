@@ -1,6 +1,6 @@
 """A shipped case as a test: prepares it as `./frazil run` does, runs the pair, asserts what its `check` asserts.
 
-usage: case.py CASE [KEY=VALUE ...]     over the `test` parameters of its case.json; FRAZIL_BUILD names the build folder
+usage: shipped_case.py CASE [KEY=VALUE ...]     over the `test` parameters of its case.json; FRAZIL_BUILD names the build folder
 """
 import json
 import sys

@@ -17,6 +17,7 @@ from pathlib import Path
 
 import pair
 import ranks
+from launcher.case import find_case
 from launcher.cli import parser
 from launcher.resume import resume
 
@@ -50,7 +51,7 @@ def with_restart(folder):
     lines = [f"writeInterval {MIDDLE};" if line.startswith("writeInterval") else line
              for line in control.read_text().splitlines()]
     control.write_text("\n".join(lines) + "\n")
-    (folder / "run.json").write_text(json.dumps({"case": str(pair.ROOT / "cases/ice_entry"), "level": "demo", "np_dem": 1,
+    (folder / "run.json").write_text(json.dumps({"case": str(find_case("ice_entry")), "level": "demo", "np_dem": 1,
                                                  "np_foam": 1}))
 
 

@@ -16,7 +16,8 @@ import tempfile
 from pathlib import Path
 
 import pair
-from pair import ROOT, replace
+from launcher.places import TOP
+from pair import replace
 
 DIAMETER = 0.00465
 STEPS = 200
@@ -30,9 +31,9 @@ LONGEST_STEP = 2e-6
 
 def prepare(folder, foam_ranks):
     """Run folder with tight solvers, a fixed short step and positions of all spheres at the end."""
-    level = json.loads((ROOT / "cases/ice_entry/case.json").read_text())["levels"]["demo"]
+    level = json.loads((TOP / "cases/ice_entry/case.json").read_text())["levels"]["demo"]
     (folder / "params.json").write_text(json.dumps({**level, **CASE}))
-    subprocess.run([sys.executable, ROOT / "cases/ice_entry/prepare", folder, folder / "params.json"], check=True,
+    subprocess.run([sys.executable, TOP / "cases/ice_entry/prepare", folder, folder / "params.json"], check=True,
                    stdout=subprocess.DEVNULL)
     replace(folder / "foam/system/fvSolution", ("tolerance       1e-08", "tolerance 1e-14"),
             ("tolerance       1e-09", "tolerance 1e-14"), ("tolerance       1e-10", "tolerance 1e-14"),

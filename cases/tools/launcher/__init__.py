@@ -1,2 +1,9 @@
-"""Frazil's launcher: what `./frazil` does once it has found Python. Imports point one way: places <- say <- {packages,
-foam_source} <- build <- environment <- {case, run} <- {resume, failure} <- watch, {table} <- results, all <- cli."""
+"""Frazil's launcher: what `./frazil` does once it has found Python. A module imports only those of earlier lines:
+
+    places, say, table
+    packages, foam_source, build   set-up; foam_source imports packages, build both
+    environment, case, run
+    failure, watch
+    resume, results
+    cli
+"""

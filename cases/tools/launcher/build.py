@@ -23,7 +23,8 @@ def build() -> None:
         fresh = [] if cache.is_file() else ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
         found = [f"-DPython3_EXECUTABLE={sys.executable}"]
         found += [] if foam_is_sourced() else [f"-DFRAZIL_OPENFOAM_ROOT={foam_folder()}"]
-        logged("configure", ["cmake", "-S", str(places.TOP), "-B", str(places.BUILD), *fresh, *found, *arguments], places.setup_log())
+        command = ["cmake", "-S", str(places.TOP), "-B", str(places.BUILD), *fresh, *found, *arguments]
+        logged("configure", command, places.setup_log())
     logged("build", ["cmake", "--build", str(places.BUILD), "--parallel"], places.setup_log(), build_progress)
 
 
@@ -36,7 +37,7 @@ def build_progress() -> str:
 def setup(_: argparse.Namespace | None = None) -> int:
     """Brings the system to the point where cases and tests run. Quick when there is nothing to do."""
     start = time.monotonic()
-    places.BUILD.mkdir(exist_ok=True)
+    places.BUILD.mkdir(parents=True, exist_ok=True)
     places.setup_log().write_bytes(b"")
     install_packages()
     fetch_foam_headers()

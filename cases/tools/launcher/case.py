@@ -13,18 +13,21 @@ def find_case(name: str) -> Path:
     folder = Path(name) if "/" in name else places.TOP / "cases" / name
     if (folder / "case.json").is_file():
         return folder.resolve()
-    raise Failure(f"there is no case {name}.{did_you_mean(name, list(shipped()))}")
+    raise Failure(f"there is no case {name}.{did_you_mean(name, shipped())}")
 
 
 def read(case: Path) -> dict:
-    """The case's own description: title, question, levels, ranks, picture, pair (false: no fluid), test (the parameters
-    that its test runs with)."""
-    return json.loads((case / "case.json").read_text())
+    """case.json: title, question, levels with their parameters, default_level, np (ranks), pair (false: no fluid),
+    picture (a script of cases/tools), test (parameters with which the case is tested)."""
+    try:
+        return json.loads((case / "case.json").read_text())
+    except json.JSONDecodeError as error:
+        raise Failure(f"{case / 'case.json'}: {error}") from None
 
 
-def shipped() -> dict[str, str]:
-    """The question of each case under cases/, by name."""
-    return {path.parent.name: read(path.parent)["question"] for path in sorted((places.TOP / "cases").glob("*/case.json"))}
+def shipped() -> list[str]:
+    """Names of the cases under cases/: every folder with a case.json."""
+    return sorted(path.parent.name for path in (places.TOP / "cases").glob("*/case.json"))
 
 
 def override(params: dict, settings: list[str]) -> dict:

@@ -14,10 +14,7 @@ from . import places
 from .packages import foam_is_sourced
 from .say import clock, Failure, logged, output_of, tail
 
-
 FOAM_PARTS = ("src", "wmake", "META-INFO", "applications/solvers/multiphase", "tutorials/multiphase")
-
-
 FOAM_LIBRARIES = (
     "OpenFOAM", "OSspecific/POSIX", "finiteVolume", "meshTools", "sampling", "surfMesh", "fileFormats", "dynamicMesh",
     "dynamicFvMesh", "fvOptions", "waveModels", "TurbulenceModels/turbulenceModels", "TurbulenceModels/incompressible",
@@ -92,7 +89,8 @@ def download_foam(folder: Path) -> Path:
             return tarball
         time.sleep(5 * attempt)
         logged("OpenFOAM's source package", fetch, places.setup_log(), megabytes, check=False, cwd=folder)
-    raise Failure("\n".join([*tail(places.setup_log(), 12), f"{name} is not complete; start ./frazil setup again to resume."]))
+    said = tail(places.setup_log(), 12)
+    raise Failure("\n".join([*said, f"{name} is not complete; start ./frazil setup again to resume."]))
 
 
 def extract_foam(tarball: Path, folder: Path) -> None:

@@ -10,10 +10,7 @@ from pathlib import Path
 from . import places
 from .say import Failure, logged
 
-
 FOAM_PACKAGES = {"openfoam", "libopenfoam"}
-
-
 LIGGGHTS_PACKAGES = {"liggghts", "libliggghts-dev"}
 
 

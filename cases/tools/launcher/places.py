@@ -5,7 +5,8 @@ import os
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[3]
-BUILD = Path(os.environ.get("FRAZIL_BUILD", TOP / "build"))
+TOOLS = TOP / "cases/tools"
+BUILD = Path(os.environ.get("FRAZIL_BUILD", TOP / "build")).absolute()
 
 
 def setup_log() -> Path:
@@ -14,6 +15,6 @@ def setup_log() -> Path:
 
 
 def python_path() -> str:
-    """PYTHONPATH of prepare, check and test scripts: the modules that they share."""
-    own = [str(TOP / "cases/tools"), str(TOP / "tests/harness"), os.environ.get("PYTHONPATH", "")]
-    return os.pathsep.join(dict.fromkeys(filter(None, os.pathsep.join(own).split(os.pathsep))))
+    """PYTHONPATH of prepare, check, picture and test scripts: the modules that they share, then the user's own."""
+    own = [str(TOOLS), str(TOP / "tests/harness"), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
+    return os.pathsep.join(dict.fromkeys(filter(None, own)))

@@ -4,7 +4,6 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-import time
 
 from . import places
 from .case import read
@@ -61,7 +60,7 @@ def picture(run: Run) -> None:
     run: the script says what it misses."""
     script = read(run.case).get("picture")
     if script:
-        command = [sys.executable, str(places.TOP / "cases/tools" / script), str(run.folder), str(run.folder / "picture.png")]
+        command = [sys.executable, str(places.TOOLS / script), str(run.folder), str(run.folder / "picture.png")]
         subprocess.run(command, env=environment())
 
 

@@ -31,8 +31,8 @@ def interrupted_run(arguments: argparse.Namespace) -> Run:
 
 def fluid_times(run: Run) -> list[str]:
     """Names of the times that every fluid rank has written."""
-    places = [run.folder / "foam" / (f"processor{n}" if run.np_foam > 1 else "") for n in range(run.np_foam)]
-    names = [{path.parent.name for path in place.glob("[0-9]*/U*")} for place in places]
+    folders = [run.folder / "foam" / (f"processor{n}" if run.np_foam > 1 else "") for n in range(run.np_foam)]
+    names = [{path.parent.name for path in folder.glob("[0-9]*/U*")} for folder in folders]
     return sorted(set.intersection(*names), key=float)
 
 

@@ -12,7 +12,6 @@ from .case import find_case, override, read
 from .environment import environment
 from .say import did_you_mean, Failure, logged
 
-
 EXITS = "log.exit"  # in the run folder: program and exit code of whatever failed, the first one first
 
 
@@ -103,9 +102,10 @@ def prepare_mesh(run: Run, log: Path) -> None:
 
 
 def mpirun_command(run: Run) -> list[str]:
-    """The mpirun line of the pair, or of frazilDem alone. frazilDem writes to its log only, so standard output is the fluid's and goes to log.foam.
+    """The mpirun line of the pair, or of frazilDem alone.
 
-    Not `-screen none`: LIGGGHTS's mesh reader writes to the screen's file without asking whether there is one.
+    frazilDem writes to its log only, so standard output is the fluid's and goes to log.foam. Not `-screen none`: LIGGGHTS's
+    mesh reader writes to the screen's file without asking whether there is one.
     A shell around each program records how it failed: mpirun's own message about that is lost now and then."""
     record = f'"$0" "$@" || {{ code=$?; echo "$0 $code" >>{EXITS}; exit $code; }}'
     dem = ["frazilDem", "-in", f"dem/in.{run.case.name}", "-log", "log.dem", "-screen", "/dev/null"]

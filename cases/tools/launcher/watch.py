@@ -68,7 +68,8 @@ def stop(process: subprocess.Popen) -> None:
 
 
 def start_programs(run: Run) -> subprocess.Popen:
-    """Starts the pair, or frazilDem alone, in a session of its own, so that Ctrl-C reaches only the launcher, which ends it in order."""
+    """Starts the pair, or frazilDem alone, in a session of its own: Ctrl-C reaches only the launcher, which ends it in
+    order."""
     (run.folder / EXITS).unlink(missing_ok=True)
     with (run.folder / "log.mpirun").open("ab") as errors, \
             (run.folder / ("log.foam" if run.np_foam else "log.mpirun")).open("ab") as out:
