@@ -53,7 +53,6 @@ frazil::DemHello FixCoupleFoam::hello()
   h.endTime = update->endstep * dt_;
   h.deltaT = dt_;
   h.fluidTime = restartTime_;
-  h.box = {vec(domain->boxlo), vec(domain->boxhi)};
 
   // lower corner, negated upper corner, negated largest radius
   double low[7] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, 0}, lowest[7];

@@ -13,11 +13,15 @@ def arguments():
     return Path(sys.argv[1]), json.loads(Path(sys.argv[2]).read_text())
 
 
+COMMON = Path(__file__).resolve().parent / "foam"  # what most cases have alike: water and air, gravity, schemes, solvers
+
+
 def copy_foam(source, run, numbers):
-    """foam/ with 0.orig as 0; in its files $name, OpenFOAM's own notation for a macro, becomes the number, so that the
+    """The common files, then those of the case's foam/, with 0.orig as 0; in the files $name, OpenFOAM's own notation for a macro, becomes the number, so that the
     run folder shows every value in its place."""
     foam = run / "foam"
-    shutil.copytree(source, foam, dirs_exist_ok=True)
+    for files in (COMMON, source):
+        shutil.copytree(files, foam, dirs_exist_ok=True)
     (foam / "0.orig").rename(foam / "0")
     pattern = re.compile(r"\$(" + "|".join(numbers) + r")\b")
     for path in [path for folder in ("0", "constant", "system") for path in (foam / folder).rglob("*") if path.is_file()]:

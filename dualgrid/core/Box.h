@@ -3,7 +3,8 @@
 
 #include "Vec3.h"
 
-namespace frazil {
+namespace frazil
+{
 
 struct Box {
     Vec3 min, max;

@@ -21,7 +21,7 @@ struct PhaseFlow {
 };
 
 struct LocalFlow {
-    double wetFraction = 1; ///< share of the sphere that is in the water [-]
+    double wetShare = 1; ///< share of the sphere that is in the water [-]
     PhaseFlow water, air;
     Vec3 pressureGradient; ///< ∇p of the TOTAL pressure, buoyancy included [Pa/m]
     Vec3 viscousForce;     ///< ∇·τ [N/m3]

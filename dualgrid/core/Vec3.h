@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-namespace frazil {
+namespace frazil
+{
 
 struct Vec3 {
     double x = 0, y = 0, z = 0;
@@ -11,25 +12,67 @@ struct Vec3 {
     double& operator[](int axis) { return (&x)[axis]; }
     double operator[](int axis) const { return (&x)[axis]; }
 
-    Vec3& operator+=(const Vec3& b) { x += b.x; y += b.y; z += b.z; return *this; }
-    Vec3& operator-=(const Vec3& b) { x -= b.x; y -= b.y; z -= b.z; return *this; }
-    Vec3& operator*=(double s) { x *= s; y *= s; z *= s; return *this; }
+    Vec3& operator+=(const Vec3& b)
+    {
+        x += b.x;
+        y += b.y;
+        z += b.z;
+        return *this;
+    }
+    Vec3& operator-=(const Vec3& b)
+    {
+        x -= b.x;
+        y -= b.y;
+        z -= b.z;
+        return *this;
+    }
+    Vec3& operator*=(double s)
+    {
+        x *= s;
+        y *= s;
+        z *= s;
+        return *this;
+    }
 };
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "Vec3 is sent and stored as three doubles");
 
-inline Vec3 operator+(Vec3 a, const Vec3& b) { return a += b; }
-inline Vec3 operator-(Vec3 a, const Vec3& b) { return a -= b; }
-inline Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
-inline Vec3 operator*(Vec3 a, double s) { return a *= s; }
-inline Vec3 operator*(double s, Vec3 a) { return a *= s; }
-inline Vec3 operator/(Vec3 a, double s) { return a *= 1.0 / s; }
+inline Vec3 operator+(Vec3 a, const Vec3& b)
+{
+    return a += b;
+}
+inline Vec3 operator-(Vec3 a, const Vec3& b)
+{
+    return a -= b;
+}
+inline Vec3 operator-(const Vec3& a)
+{
+    return {-a.x, -a.y, -a.z};
+}
+inline Vec3 operator*(Vec3 a, double s)
+{
+    return a *= s;
+}
+inline Vec3 operator*(double s, Vec3 a)
+{
+    return a *= s;
+}
+inline Vec3 operator/(Vec3 a, double s)
+{
+    return a *= 1.0 / s;
+}
 
-inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline double dot(const Vec3& a, const Vec3& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline Vec3 cross(const Vec3& a, const Vec3& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
+inline double norm(const Vec3& a)
+{
+    return std::sqrt(dot(a, a));
+}
 
 } // namespace frazil

@@ -11,6 +11,9 @@ namespace frazil
 {
 
 struct Beetstra {
+    static constexpr const char* name = "Beetstra";
+    static constexpr const char* source = "AIChE J. 53 (2007) 489";
+
     static double inertia(double re, double fluidFraction)
     {
         if (re < 1e-12)

@@ -12,6 +12,9 @@ namespace frazil
 {
 
 struct DiFelice {
+    static constexpr const char* name = "DiFelice";
+    static constexpr const char* source = "Int. J. Multiphase Flow 20 (1994) 153";
+
     static double exponent(double re)
     {
         const double tiny = 1e-30; // log10 of zero raises a floating-point exception; χ is 3.7 long before

@@ -1,25 +1,12 @@
 #include "ForceModel.h"
 
+#include "Catalogue.h"
+
 namespace frazil
 {
 
 namespace
 {
-
-std::variant<DiFelice, Gidaspow, SchillerNaumann, KochHill, Beetstra, NoDrag> dragLaw(const std::string& name)
-{
-    if (name == "Gidaspow")
-        return Gidaspow{};
-    if (name == "SchillerNaumann")
-        return SchillerNaumann{};
-    if (name == "KochHill")
-        return KochHill{};
-    if (name == "Beetstra")
-        return Beetstra{};
-    if (name == "none")
-        return NoDrag{};
-    return DiFelice{};
-}
 
 double addedMassCoefficient(const Settings& forces)
 {
@@ -38,11 +25,9 @@ double addedMassCoefficient(const Settings& forces)
 } // namespace
 
 ForceModel::ForceModel(const Settings& forces)
-    : drag_(dragLaw(forces.word("drag", {"DiFelice", "Gidaspow", "SchillerNaumann", "KochHill", "Beetstra", "none"},
-                                "DiFelice"))),
-      pressureGradient_(forces.flag("pressureGradient", true)), viscous_(forces.flag("viscous", true)),
-      rotationalDrag_(forces.flag("rotationalDrag", false)), shielding_(forces.flag("shielding", false)),
-      addedMass_(addedMassCoefficient(forces))
+    : drag_(Catalogue<DragLaw>::choose(forces, "drag")), pressureGradient_(forces.flag("pressureGradient", true)),
+      viscous_(forces.flag("viscous", true)), rotationalDrag_(forces.flag("rotationalDrag", false)),
+      shielding_(forces.flag("shielding", false)), addedMass_(addedMassCoefficient(forces))
 {
 }
 

@@ -13,27 +13,20 @@
 /// Cost: a few pow per particle. The drag law is chosen once per loop (withDrag), not per particle.
 #pragma once
 
-#include <utility>
-#include <variant>
-
 #include "DragLaws.h"
 #include "Interaction.h"
 #include "LocalFlow.h"
 #include "Settings.h"
+#include "Sphere.h"
 
 namespace frazil
 {
-
-/// No drag at all: to see what the other forces do.
-struct NoDrag {
-    double operator()(double, double) const { return 0; }
-};
 
 class ForceModel
 {
   public:
     /// Reads the sub-dictionary `forces`:
-    ///   drag              DiFelice (default) | Gidaspow | SchillerNaumann | KochHill | Beetstra | none
+    ///   drag              a name of DragLaws.h; DiFelice (default)
     ///   pressureGradient  on (default): without it nothing floats
     ///   viscous           on (default)
     ///   addedMass         on (default): Ca = 0.5 | off | a value of Ca
@@ -60,13 +53,11 @@ class ForceModel
                            const Phase& air) const;
 
   private:
-    using Drag = std::variant<DiFelice, Gidaspow, SchillerNaumann, KochHill, Beetstra, NoDrag>;
-
     template <class Law>
     Interaction interact(const Law& law, const LocalFlow& flow, const ParticleState& particle, const Phase& water,
                          const Phase& air) const;
 
-    Drag drag_;
+    DragLaw drag_;
     bool pressureGradient_, viscous_, rotationalDrag_, shielding_;
     double addedMass_; ///< Ca [-]
 };
@@ -75,7 +66,6 @@ class ForceModel
 template <class Law>
 double dragCoefficient(const Law& law, const Phase& fluid, double diameter, double speed, double fluidFraction)
 {
-    const double pi = 3.14159265358979323846;
     const double re = fluidFraction * fluid.density * diameter * speed / fluid.viscosity;
     return 3 * pi * fluid.viscosity * diameter * law(re, fluidFraction);
 }
@@ -84,7 +74,6 @@ template <class Law>
 Interaction ForceModel::interact(const Law& law, const LocalFlow& flow, const ParticleState& particle,
                                  const Phase& water, const Phase& air) const
 {
-    const double pi = 3.14159265358979323846;
     const double d = 2 * particle.radius, volume = particle.presence * pi / 6 * d * d * d;
     const double exposure = particle.presence * (shielding_ ? particle.exposure : 1);
 
@@ -103,8 +92,8 @@ Interaction ForceModel::interact(const Law& law, const LocalFlow& flow, const Pa
         result.spinCoefficient += spin;
         result.fluidSpin += (0.5 * spin) * fluid.vorticity;
     };
-    act(flow.wetFraction, flow.water, water);
-    act(1 - flow.wetFraction, flow.air, air);
+    act(flow.wetShare, flow.water, water);
+    act(1 - flow.wetShare, flow.air, air);
     auto toMean = [](Vec3& sum, double weight) { sum *= weight > 0 ? 1 / weight : 0; };
     toMean(result.fluidVelocity, result.dragCoefficient);
     toMean(result.fluidAcceleration, result.addedMass);

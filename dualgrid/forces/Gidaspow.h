@@ -27,6 +27,9 @@ struct WenYu {
 };
 
 struct Gidaspow {
+    static constexpr const char* name = "Gidaspow";
+    static constexpr const char* source = "Multiphase Flow and Fluidization (1994)";
+
     double operator()(double re, double fluidFraction) const
     {
         return fluidFraction < 0.8 ? Ergun{}(re, fluidFraction) : WenYu{}(re, fluidFraction);

@@ -9,6 +9,9 @@ namespace frazil
 {
 
 struct KochHill {
+    static constexpr const char* name = "KochHill";
+    static constexpr const char* source = "Annu. Rev. Fluid Mech. 33 (2001) 619";
+
     /// Stokes part; 0.4 is where the two published branches meet.
     static double f0(double s)
     {

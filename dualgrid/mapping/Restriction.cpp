@@ -16,19 +16,16 @@ void add(CoarsePhase& sum, const FineFlow& flow, std::size_t f, double volume)
     sum.vorticity += volume * flow.vorticity[f];
 }
 
-/// Less than this share of a coarse cell is round-off of the cutting: nothing is there.
-const double nothing = 1e-14;
-
 void finish(CoarsePhase& phase, double cellVolume)
 {
-    if (!(phase.volume > nothing * cellVolume)) {
+    if (!(phase.volume > roundOffShare * cellVolume)) {
         phase = CoarsePhase{};
         return;
     }
     const double scale = 1 / phase.volume;
     phase.velocity *= scale;
     phase.vorticity *= scale;
-    if (phase.accelerated > nothing * phase.volume)
+    if (phase.accelerated > roundOffShare * phase.volume)
         phase.acceleration *= 1 / phase.accelerated;
     else
         phase.acceleration = Vec3{};
@@ -46,7 +43,7 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const Vec3& grav
         const Vec3 centre = cells.grid().centre(cells.global(parts.coarseCell(row)));
         for (const FinePart* part = parts.begin(row); part != parts.end(row); ++part) {
             const int f = part->fineCell;
-            const double w = flow.fluidFraction[f] * part->volume, wet = flow.wet(f);
+            const double w = flow.fluidShare[f] * part->volume, wet = flow.wet(f);
             const double open = flow.open(f) * part->volume, water = wet * open;
             const Vec3 place = part->centroid - centre;
             sum.openVolume += open;
@@ -67,7 +64,7 @@ void restrictSums(const FineParts& parts, const FineFlow& flow, const Vec3& grav
 
 void finishAverages(CoarseFluid& cell, double cellVolume)
 {
-    if (!(cell.fluidVolume > nothing * cellVolume)) {
+    if (!(cell.fluidVolume > roundOffShare * cellVolume)) {
         cell = CoarseFluid{};
         return;
     }

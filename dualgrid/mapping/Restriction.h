@@ -22,11 +22,15 @@
 namespace frazil
 {
 
+/// Less fluid than this share of a coarse cell is round-off of the cutting: nothing is there. Not larger, so that crossing
+/// it changes nothing but round-off.
+constexpr double roundOffShare = 1e-14;
+
 /// The host's fluid fields, one entry per fine cell of this rank.
 struct FineFlow {
     std::size_t count = 0;
     const double* volume = nullptr;         ///< whole cell [m3]
-    const double* fluidFraction = nullptr;  ///< ε = αf (1-γ) [-]
+    const double* fluidShare = nullptr;     ///< ε = αf (1-γ) [-]
     const double* openFraction = nullptr;   ///< 1-γ, share not filled by bodies [-]; nullptr: 1 everywhere
     const double* density = nullptr;        ///< ρ of the fluid mixture [kg/m3]
     const double* wetFraction = nullptr;    ///< α1 [-]

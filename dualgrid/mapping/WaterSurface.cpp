@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "Sphere.h"
+
 namespace frazil
 {
 
@@ -118,28 +120,26 @@ WaterSurface surfaceIn(const Box& cell, const CoarseFluid& fluid)
     return surface;
 }
 
+Box cubeOf(const Vec3& centre, double radius)
+{
+    const double half = 0.5 * std::cbrt(4.0 / 3 * pi) * radius;
+    return {centre - Vec3{half, half, half}, centre + Vec3{half, half, half}};
+}
+
 SphereShare shareOfSphere(const Vec3& centre, double radius, const LocalCells& cells, const CoarseField<Box>& filled,
                           const CoarseField<CoarseFluid>& fluid, const CoarseField<WaterSurface>& surface)
 {
-    const double half = 0.5 * std::cbrt(4.0 / 3 * 3.14159265358979323846) * radius;
-    const Box cube{centre - Vec3{half, half, half}, centre + Vec3{half, half, half}};
-    const CellIndex lo = cells.grid().nearest(cube.min), hi = cells.grid().nearest(cube.max);
+    const Box cube = cubeOf(centre, radius);
     double inMesh = 0, fluidHere = 0, wet = 0;
-    for (int n = 0; n < 8; ++n) { // at most two cells along each axis
-        const CellIndex index{n & 1 ? hi[0] : lo[0], n & 2 ? hi[1] : lo[1], n & 4 ? hi[2] : lo[2]};
-        if ((n & 1 && hi[0] == lo[0]) || (n & 2 && hi[1] == lo[1]) || (n & 4 && hi[2] == lo[2]))
-            continue;
-        const int cell = cells.local(index);
-        if (cell < 0)
-            continue;
+    forCellsOf(cube, cells, [&](int cell) {
         const Box piece = overlap(cube, filled[cell]);
         const double volume = volumeOf(piece);
         inMesh += volume;
         if (!(fluid[cell].openVolume > 0) || !(volume > 0))
-            continue;
+            return;
         fluidHere += volume;
         wet += volume * surface[cell].shareOf(piece);
-    }
+    });
     SphereShare share;
     share.dry = !(fluidHere > 0);
     share.inMesh = std::min(1.0, inMesh / volumeOf(cube));

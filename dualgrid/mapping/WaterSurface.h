@@ -41,6 +41,23 @@ double shareBelow(const Box& box, const Vec3& normal, double level);
 /// @param cell  the part of the cell that is in the mesh (FilledBox.h)
 WaterSurface surfaceIn(const Box& cell, const CoarseFluid& fluid);
 
+/// The cube of the same volume as the sphere, which counts in its place [m].
+Box cubeOf(const Vec3& centre, double radius);
+
+/// Calls visit(cell) for the local cells that a box no larger than a coarse cell reaches into: at most two along each axis.
+template <class Visit> void forCellsOf(const Box& box, const LocalCells& cells, Visit&& visit)
+{
+    const CellIndex lo = cells.grid().nearest(box.min), hi = cells.grid().nearest(box.max);
+    for (int n = 0; n < 8; ++n) {
+        const CellIndex index{n & 1 ? hi[0] : lo[0], n & 2 ? hi[1] : lo[1], n & 4 ? hi[2] : lo[2]};
+        if ((n & 1 && hi[0] == lo[0]) || (n & 2 && hi[1] == lo[1]) || (n & 4 && hi[2] == lo[2]))
+            continue;
+        const int cell = cells.local(index);
+        if (cell >= 0)
+            visit(cell);
+    }
+}
+
 /// Where a sphere is.
 struct SphereShare {
     double inMesh = 0;  ///< of its volume [-]

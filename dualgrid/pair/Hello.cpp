@@ -72,7 +72,7 @@ void visit(Archive& archive, DemHello& h)
     }
     archive(h.units), archive(h.gravity);
     archive(h.startTime), archive(h.endTime), archive(h.deltaT), archive(h.fluidTime);
-    archive(h.box), archive(h.reach), archive(h.largestRadius), archive(h.particles), archive(h.bodies);
+    archive(h.reach), archive(h.largestRadius), archive(h.particles), archive(h.bodies);
 }
 
 void visit(Archive& archive, FoamHello& h)

@@ -15,7 +15,7 @@ namespace frazil
 {
 
 /// Version of the messages; raised when a record or its meaning changes.
-constexpr std::int64_t messageVersion = 3;
+constexpr std::int64_t messageVersion = 4;
 
 struct BodyHello {
     std::string name;
@@ -30,7 +30,6 @@ struct DemHello {
     double endTime = 0;         ///< at the end of the run (`run ... stop`) [s]
     double deltaT = 0;          ///< DEM time step [s]
     double fluidTime = -1;      ///< fluid time that a restart file belongs to [s]; negative: not restarted
-    Box box;                    ///< LIGGGHTS's simulation box [m]
     Box reach;                  ///< bounding box of the coupled particles' centres [m]
     double largestRadius = 0;   ///< of the coupled particles [m]
     std::int64_t particles = 0; ///< in the group of fix couple/foam

@@ -59,8 +59,8 @@ void Patience::giveUp(const char* what) const
 {
     World& world = World::instance();
     const char* partner = programName(partnerOf(world.side()));
-    world.fail(fmt::format("it has waited {:g} s for {} to {}. {} is stuck, or it needs longer than {} allows",
-                           limit_, partner, what, partner, setBy_));
+    world.fail(fmt::format("it has waited {:g} s for {} to {}. {} is stuck, or it needs longer than {} allows", limit_,
+                           partner, what, partner, setBy_));
 }
 
 double handshakeSeconds()

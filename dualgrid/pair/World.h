@@ -68,7 +68,6 @@ class World
     const std::string& position() const { return position_; }
     /// From now on leaving is no failure: both sides have agreed on the end (the links call it).
     void sayGoodbye() { goodbye_ = true; }
-    bool saidGoodbye() const { return goodbye_; }
     /// Prints "<program> failed ...: <reason>", tells the partner, aborts both programs. Any rank may call it.
     [[noreturn]] void fail(const std::string& reason);
     /// Fails if this program is part of a running coupling; else returns.

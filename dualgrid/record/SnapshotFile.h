@@ -56,7 +56,6 @@ class SnapshotFile
     void end();
 
     const std::string& path() const { return path_; }
-    const std::string& xdmfPath() const { return xdmfPath_; }
 
   private:
     void readEarlier();

@@ -1,71 +1,67 @@
 #include "CouplingStep.h"
 
-#include "DirectScheme.h"
-#include "DualGridScheme.h"
+#include "DirectStep.h"
+#include "Sum.h"
 
 namespace frazil
 {
 
-namespace
-{
-
-ProlongationSettings readProlongation(const Settings& settings)
-{
-    ProlongationSettings prolongation;
-    prolongation.exponent = settings.positive("exponent", 2);
-    prolongation.limitToCells = settings.word("limiter", {"cell", "none"}, "cell") == "cell";
-    return prolongation;
-}
-
-double readSmallestFluidFraction(const Settings& settings)
-{
-    const double smallest = settings.positive("min", 0.25);
-    if (smallest >= 1)
-        settings.reject("min", "leaves no room for particles", "Use 0.25, just below that of the densest packing");
-    return smallest;
-}
-
-CouplingSettings readCoupling(const Settings& settings)
-{
-    settings.word("kernel", {"trilinear"}, "trilinear");
-    CouplingSettings coupling;
-    coupling.prolongation = readProlongation(settings.sub("prolongation"));
-    coupling.smallestFluidFraction = readSmallestFluidFraction(settings.sub("voidFraction"));
-    coupling.momentumExchange = settings.flag("momentumExchange", true);
-    return coupling;
-}
-
-} // namespace
-
 CouplingStep::CouplingStep(const Settings& settings, const CoarseGrid& grid, const Phase& water, const Phase& air,
                            const Vec3& gravity, MPI_Comm comm)
-    : dualGrid_(settings.flag("dualGrid", true))
+    : model_{CouplingSettings::read(settings), ForceModel(settings.sub("forces")), water, air, gravity},
+      state_(LocalCells(grid, rankIn(comm))), grid_(state_.cells, comm), places_(model_.settings.kernel),
+      solid_(model_.settings), forces_(model_), reaction_(model_)
 {
-    const CouplingSettings coupling = readCoupling(settings);
-    const ForceModel forces(settings.sub("forces"));
-    if (dualGrid_) {
-        scheme_ = std::make_unique<DualGridScheme>(coupling, forces, water, air, gravity, grid, comm);
-    } else {
-        scheme_ = std::make_unique<DirectScheme>(coupling, forces, water, air, grid, comm);
-    }
+    if (!dualGrid())
+        direct_ = std::make_unique<DirectStep>(model_, state_, comm);
 }
 
 CouplingStep::~CouplingStep() = default;
 
 void CouplingStep::setParts(const std::vector<FinePiece>& pieces)
 {
-    scheme_->setParts(pieces);
+    if (direct_)
+        direct_->setParts(pieces);
+    else
+        grid_.setParts(pieces, state_);
 }
 
 void CouplingStep::setLocator(std::function<int(const Vec3&)> fineCellAt)
 {
-    scheme_->setLocator(std::move(fineCellAt));
+    if (direct_)
+        direct_->setLocator(std::move(fineCellAt));
 }
 
 Ledger CouplingStep::advance(const ParticleView& particles, const FineFlow& flow, double deltaT,
                              std::vector<Interaction>& replies, FineSource& source)
 {
-    return scheme_->advance(particles, flow, deltaT, replies, source);
+    if (direct_)
+        return direct_->advance(particles, flow, deltaT, replies, source);
+
+    Ledger ledger;
+    source.reset(flow.count);
+
+    // Where everything is
+    grid_.restrictFluid(flow, model_.gravity, state_);         // fine -> coarse: averages of water and air
+    places_.find(particles, grid_, state_, ledger);            // particles: shares in water, air, mesh; windows
+    solid_.project(particles, places_, grid_, state_, ledger); // particles -> coarse: solid volume
+    solid_.prolong(flow, grid_, state_, source);               // coarse -> fine: αs
+
+    // What the fluid does to the particles
+    forces_.act(particles, places_, solid_, state_, replies, ledger);            // coarse -> particles: force laws
+    forces_.respond(particles, places_, deltaT, grid_, state_, replies, ledger); // answer of ∇p to their motion
+
+    // What the particles do to the fluid
+    reaction_.collectImpulse(particles, places_, grid_, state_, ledger);       // particles -> coarse: J
+    reaction_.restrictLoad(flow, solid_, grid_, state_, ledger);               // fine -> coarse: -αs∇p + αs∇·τ
+    reaction_.collectCoefficients(particles, places_, replies, grid_, state_); // particles -> coarse: K, Ca
+    reaction_.prolongForce(flow, deltaT, solid_, grid_, state_, source, ledger);     // coarse -> fine: force
+    reaction_.prolongCoefficients(flow, grid_, state_, source);                      // coarse -> fine: K, Ca
+    reaction_.returnWeight(particles, places_, flow, grid_, state_, source, ledger); // to all of the fluid
+
+    ledger.addFine(flow, source.solidFraction, source.force, deltaT);
+    ledger.sumOver(grid_.comm);
+    return ledger;
 }
 
 } // namespace frazil

@@ -1,9 +1,11 @@
 #include "Ledger.h"
 
-#include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "Columns.h"
 #include "Restriction.h"
 #include "Sum.h"
 
@@ -16,6 +18,45 @@ namespace
 double relative(double difference, double scale)
 {
     return scale > 0 ? difference / scale : difference;
+}
+
+const char* const whole = "{}";
+const char* const exact = "{:.17g}";
+const char* const rounded = "{:.6g}";
+const char* const error = "{:.3g}";
+
+Columns<Ledger> allColumns()
+{
+    return Columns<Ledger>()
+        .add("particles", whole, &Ledger::particles)
+        .add("dryParticles", whole, &Ledger::dryParticles)
+        .add("volumeParticles", exact, &Ledger::particleVolume)
+        .add("volumeAbsent", exact, &Ledger::absentVolume)
+        .add("volumeCoarse", exact, &Ledger::coarseVolume)
+        .add("volumeFine", exact, &Ledger::fineVolume)
+        .add("volumeClipped", rounded, &Ledger::clippedVolume)
+        .add("cellsClipped", whole, &Ledger::clippedCells)
+        .add("volumeErrorCoarse", error, &Ledger::volumeErrorCoarse)
+        .add("volumeErrorFine", error, &Ledger::volumeErrorFine)
+        .addVector("impulseReceived", exact, &Ledger::received)
+        .addVector("impulseCarried", exact, &Ledger::carriedIn)
+        .addVector("impulseCoarse", exact, &Ledger::coarseImpulse)
+        .addVector("impulseFine", exact, &Ledger::given)
+        .addVector("impulseUnplaced", exact, &Ledger::unplaced)
+        .addVector("impulseHeld", exact, &Ledger::held)
+        .add("impulseErrorCoarse", error, &Ledger::impulseErrorCoarse)
+        .add("impulseErrorFine", error, &Ledger::impulseErrorFine)
+        .addVector("passiveReceived", exact, &Ledger::passiveReceived)
+        .addVector("passiveCarried", exact, &Ledger::passiveCarried)
+        .addVector("passiveReturned", exact, &Ledger::passiveReturned)
+        .addVector("response", exact, &Ledger::response)
+        .add("passiveError", error, &Ledger::passiveError);
+}
+
+const Columns<Ledger>& columns()
+{
+    static const Columns<Ledger> list = allColumns();
+    return list;
 }
 
 } // namespace
@@ -39,18 +80,15 @@ void Ledger::sumOver(MPI_Comm comm)
                              &passiveReceived, &passiveCarried, &passiveReturned, &response};
     std::int64_t* const counts[] = {&particles, &dryParticles, &clippedCells};
 
-    double sums[37];
-    int n = 0;
+    std::vector<double> sums;
     for (const double* number : numbers)
-        sums[n++] = *number;
-    for (const Vec3* vector : vectors) {
-        for (int a = 0; a < 3; ++a)
-            sums[n++] = (*vector)[a];
-    }
+        sums.push_back(*number);
+    for (const Vec3* vector : vectors)
+        sums.insert(sums.end(), {vector->x, vector->y, vector->z});
     for (const std::int64_t* count : counts)
-        sums[n++] = double(*count); // exact below 2^53
-    sumOverRanks(sums, n, comm);
-    n = 0;
+        sums.push_back(double(*count)); // exact below 2^53
+    sumOverRanks(sums.data(), int(sums.size()), comm);
+    int n = 0;
     for (double* number : numbers)
         *number = sums[n++];
     for (Vec3* vector : vectors) {
@@ -88,30 +126,12 @@ double Ledger::passiveError() const
 
 std::string Ledger::csvHeader()
 {
-    return "time,particles,dryParticles,volumeParticles,volumeAbsent,volumeCoarse,volumeFine,volumeClipped,"
-           "cellsClipped,"
-           "volumeErrorCoarse,volumeErrorFine,"
-           "impulseReceivedX,impulseReceivedY,impulseReceivedZ,impulseCarriedX,impulseCarriedY,impulseCarriedZ,"
-           "impulseCoarseX,impulseCoarseY,impulseCoarseZ,impulseFineX,impulseFineY,impulseFineZ,"
-           "impulseUnplacedX,impulseUnplacedY,impulseUnplacedZ,impulseHeldX,impulseHeldY,impulseHeldZ,"
-           "impulseErrorCoarse,impulseErrorFine,"
-           "passiveReceivedX,passiveReceivedY,passiveReceivedZ,passiveCarriedX,passiveCarriedY,passiveCarriedZ,"
-           "passiveReturnedX,passiveReturnedY,passiveReturnedZ,responseX,responseY,responseZ,passiveError";
+    return "time," + columns().header();
 }
 
 std::string Ledger::csvLine(double time) const
 {
-    std::string line = fmt::format("{:.9g},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.6g},{},{:.3g},{:.3g}", time,
-                                   particles, dryParticles, particleVolume, absentVolume, coarseVolume, fineVolume,
-                                   clippedVolume, clippedCells, volumeErrorCoarse(), volumeErrorFine());
-    for (const Vec3* v : {&received, &carriedIn, &coarseImpulse, &given, &unplaced, &held}) {
-        line += fmt::format(",{:.17g},{:.17g},{:.17g}", v->x, v->y, v->z);
-    }
-    line += fmt::format(",{:.3g},{:.3g}", impulseErrorCoarse(), impulseErrorFine());
-    for (const Vec3* v : {&passiveReceived, &passiveCarried, &passiveReturned, &response}) {
-        line += fmt::format(",{:.17g},{:.17g},{:.17g}", v->x, v->y, v->z);
-    }
-    return line + fmt::format(",{:.3g}", passiveError());
+    return fmt::format("{:.9g},", time) + columns().line(*this);
 }
 
 } // namespace frazil

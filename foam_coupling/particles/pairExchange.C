@@ -275,7 +275,7 @@ frazil::FineFlow Foam::pairExchange::fineFlow
     frazil::FineFlow fine;
     fine.count = mesh_.nCells();
     fine.volume = mesh_.V().cdata();
-    fine.fluidFraction = flow.fluidShare.cdata();
+    fine.fluidShare = flow.fluidShare.cdata();
     fine.openFraction = open.empty() ? nullptr : open.cdata();
     fine.density = flow.rho.cdata();
     fine.wetFraction = flow.alpha1.cdata();

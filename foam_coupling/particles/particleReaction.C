@@ -2,7 +2,7 @@
 #include "zeroGradientFvPatchFields.H"
 #include "Time.H"
 
-#include "CouplingScheme.h"
+#include "FineSource.h"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

@@ -21,7 +21,6 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path += [str(ROOT / "cases/tools"), str(ROOT / "tests/verification")]
 import ice
 from bond_dem import D, E, KAPPA, MODEL, RHO, bond, head
 

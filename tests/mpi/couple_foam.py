@@ -13,30 +13,13 @@ import threading
 import unittest
 from pathlib import Path
 
+import dem_script
 import mpirun
+import surfaces
 
 MASS = 1000 * 4 / 3 * math.pi * 0.01**3  # [kg]
 INERTIA = 0.4 * MASS * 0.01**2           # [kg m2]
 DT = 1e-4                                # DEM time step [s]
-
-HEAD = """
-atom_style granular
-atom_modify map array
-newton off
-communicate single vel yes
-units si
-processors * 1 1
-{start}
-neighbor 0.01 bin
-neigh_modify delay 0
-fix m1 all property/global youngsModulus peratomtype 5.e6
-fix m2 all property/global poissonsRatio peratomtype 0.45
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep 1e-4
-"""
 
 FRESH = """boundary f f f
 region box block 0 0.6 0 0.4 0 0.5 units box
@@ -67,18 +50,13 @@ thermo 500
 """
 
 
+def head(start):
+    return dem_script.head(start, boundary="", skin=0.01, processors="* 1 1") + f"timestep {DT}\n"
+
+
 def box(path, size):
     """A cube of this edge around (0.3 0.2 0.25) as STL; returns its volume [m3]."""
-    corner = [[c + size * ((n >> axis & 1) - 0.5) for axis, c in enumerate((0.3, 0.2, 0.25))] for n in range(8)]
-    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
-    with open(path, "w") as stl:
-        stl.write("solid box\n")
-        for a, b, c, d in quads:
-            for triangle in ((a, b, c), (a, c, d)):
-                stl.write("facet normal 0 0 0\nouter loop\n")
-                stl.writelines("vertex %.17g %.17g %.17g\n" % tuple(corner[n]) for n in triangle)
-                stl.write("endloop\nendfacet\n")
-        stl.write("endsolid box\n")
+    surfaces.write_stl(path, surfaces.cuboid((size,) * 3, (0.3, 0.2, 0.25)))
     return size**3
 
 
@@ -89,7 +67,7 @@ class Case(unittest.TestCase):
 
     def run_pair(self, script, ranks=(1, 1), start=FRESH, **fluid):
         fluid = {"gravity": 0, "watchdog": 20, "steps": 200, **fluid}
-        Path(self.folder.name, "in.test").write_text(HEAD.format(start=start) + script)
+        Path(self.folder.name, "in.test").write_text(head(start) + script)
         return mpirun.run(["-np", ranks[0], f"{BIN}/frazilDem", "-in", "in.test", ":", "-np", ranks[1], f"{BIN}/toy_foam",
                            *(f"{key}={value}" for key, value in fluid.items())], cwd=self.folder.name)
 
@@ -260,7 +238,7 @@ class Errors(Case):
                      body="ball", volume=volume, load_of="cone")
 
     def test_no_partner(self):
-        Path(self.folder.name, "in.test").write_text(HEAD.format(start=FRESH) + COUPLE)
+        Path(self.folder.name, "in.test").write_text(head(FRESH) + COUPLE)
         run = mpirun.run(["-np", 2, f"{BIN}/frazilDem", "-in", "in.test"], cwd=self.folder.name)
         self.assertNotEqual(run.code, 0)
         self.assertIn("frazilDem has no partner", run.text)

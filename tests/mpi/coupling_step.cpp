@@ -317,7 +317,7 @@ struct PredictedFluid {
         velocity.resize(flow.count);
         held.resize(flow.count);
         for (std::size_t f = 0; f < flow.count; ++f) {
-            const double mass = flow.density[f] * flow.fluidFraction[f] * flow.volume[f];
+            const double mass = flow.density[f] * flow.fluidShare[f] * flow.volume[f];
             if (!(mass > 0))
                 continue;
             const double drag = deltaT * source.drag[f], added = source.addedMass[f];
@@ -389,7 +389,7 @@ struct HeldSpheres {
         Vec3 sum;
         const FineFlow flow = mesh.flow();
         for (std::size_t f = 0; f < flow.count; ++f)
-            sum += flow.density[f] * flow.fluidFraction[f] * flow.volume[f] * fluid.velocity[f];
+            sum += flow.density[f] * flow.fluidShare[f] * flow.volume[f] * fluid.velocity[f];
         return sumOver(run.comm, sum);
     }
     Vec3 held() const

@@ -15,8 +15,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-import case
+import pair
 import ranks
+from launcher.cli import parser
+from launcher.resume import resume
 
 PIECES = (331, 202, 5, 1, 17)  # DEM steps
 MIDDLE = 2.8e-4  # fluid time of the restart [s]
@@ -25,7 +27,7 @@ MIDDLE = 2.8e-4  # fluid time of the restart [s]
 def memoryless(folder):
     """Elastic contacts without friction, no dashpots in the bonds."""
     script = folder / "dem/in.ice_entry"
-    ranks.replace(script, ("peratomtypepair 2 0.3 0.3 0.3 0.3", "peratomtypepair 2 1 1 1 1"))
+    pair.replace(script, ("peratomtypepair 2 0.3 0.3 0.3 0.3", "peratomtypepair 2 1 1 1 1"))
     script.write_text(script.read_text().replace("tangential history", "tangential off"))
     parameters = folder / "dem/parameters"
     lines = [line if "bond_damping" not in line else "variable bond_damping string 0" for line in
@@ -38,7 +40,7 @@ def split(folder):
     memoryless(folder)
     pieces = "".join(f"run {length} stop ${{steps}}\n" for length in PIECES)
     rest = f"variable rest equal ${{steps}}-{sum(PIECES)}\nrun ${{rest}}"
-    ranks.replace(folder / "dem/in.ice_entry", ("\nrun ${steps}", f"\n{pieces}{rest}"))
+    pair.replace(folder / "dem/in.ice_entry", ("\nrun ${steps}", f"\n{pieces}{rest}"))
 
 
 def with_restart(folder):
@@ -48,7 +50,7 @@ def with_restart(folder):
     lines = [f"writeInterval {MIDDLE};" if line.startswith("writeInterval") else line
              for line in control.read_text().splitlines()]
     control.write_text("\n".join(lines) + "\n")
-    (folder / "run.json").write_text(json.dumps({"case": str(ranks.ROOT / "cases/ice_entry"), "level": "demo", "np_dem": 1,
+    (folder / "run.json").write_text(json.dumps({"case": str(pair.ROOT / "cases/ice_entry"), "level": "demo", "np_dem": 1,
                                                  "np_foam": 1}))
 
 
@@ -56,16 +58,16 @@ def loose(folder):
     """With restart files, and one bond in the whole plate."""
     with_restart(folder)
     (folder / "dem/bond").write_text("1 2\n")
-    ranks.replace(folder / "dem/in.ice_entry", ("damping ${bond_damping}", "damping ${bond_damping} list dem/bond"))
+    pair.replace(folder / "dem/in.ice_entry", ("damping ${bond_damping}", "damping ${bond_damping} list dem/bond"))
 
 
 def restarted(whole, folder, dem_ranks):
     """A copy of a finished run, set back to MIDDLE as `./frazil run --resume` does it, run to the end again."""
     shutil.copytree(whole, folder)
     words = ["run", "ice_entry", "--resume", "--out", str(folder)]
-    case.launcher.resume(case.launcher.parser().parse_args(words))
+    resume(parser().parse_args(words))
     before = len((folder / "dem/bonds.csv").read_text().splitlines()) - 1
-    ranks.launch(folder, dem_ranks, 1)
+    pair.launch(folder, dem_ranks, script="dem/in.ice_entry")
     return before, ranks.outcome(folder)
 
 

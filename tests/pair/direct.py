@@ -8,22 +8,23 @@ import sys
 import tempfile
 from pathlib import Path
 
-import case
+import shipped_case
+from launcher.run import prepare
+from launcher.watch import start_programs, watch
 
 LIMIT = 1e-8
 
 
 def run(folder):
     """A short run of the case, both spheres in the first rank's half; rows of its ledger."""
-    words = ["run", "settling_sphere", "--out", folder, "--np-foam", "2", "--set", "end_time=0.02"]
-    planned = case.launcher.plan(case.launcher.parser().parse_args(words))
-    case.launcher.prepare(planned)
+    planned = shipped_case.planned("settling_sphere", folder, ["end_time=0.02"], np_foam=2)
+    prepare(planned)
     with (planned.folder / "foam/constant/couplingProperties").open("a") as stream:
         stream.write("\ndualGrid off;\n")
     script = planned.folder / "dem/in.settling_sphere"
     script.write_text(script.read_text().replace("single ${offset} ${light_y} ${offset}",
                                                  "single -${offset} ${light_y} -${offset}"))
-    case.launcher.watch(planned, case.launcher.start_programs(planned))
+    watch(planned, start_programs(planned))
     with (planned.folder / "ledger.csv").open() as stream:
         return list(csv.DictReader(stream))
 

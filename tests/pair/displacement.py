@@ -13,33 +13,17 @@ import sys
 import tempfile
 from pathlib import Path
 
-import two_bodies
-from two_bodies import body_case
+import dem_script
+import pair
+import surfaces
+import tank_case
 import foam_case as fc
 
 HALF, SMALL = 0.04, 0.008  # half the tank, the locked body's diameter [m]
 DIAMETER = 0.003
 
-HEAD = f"""
-units si
-atom_style granular
-atom_modify map array sort 0 0
-boundary f f f
-newton off
-communicate single vel yes
-region box block -{HALF} {HALF} -{HALF} {HALF} -{HALF} {HALF} units box
-create_box 1 box
-neighbor 0.002 bin
-neigh_modify delay 0
-fix m1 all property/global youngsModulus peratomtype 5e6
-fix m2 all property/global poissonsRatio peratomtype 0.45
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep {{step}}
-fix gravity all gravity 9.81 vector 0 -1 0
-"""
+HEAD = (dem_script.head(dem_script.box((-HALF,) * 3, (HALF,) * 3), sort=" sort 0 0") + "timestep {step}\n" +
+        dem_script.GRAVITY)
 PLATE = HEAD + f"""
 region plate block -0.012 0.012 -0.003 0.003 -0.012 0.012 units box
 lattice sc {DIAMETER}
@@ -71,9 +55,9 @@ run {{rest}} upto
 
 def write_fluid(folder, end, delta_t, bodies="", write_interval=None):
     case, n = folder / "foam", 20
-    body_case.write_case(case, body_case.box_mesh((-HALF,) * 3, (HALF,) * 3, (n, n, n)), None,
-                         body_case.control(end, delta_t, adjust="no", write_interval=write_interval), "")
-    body_case.write(case / "constant/couplingProperties", f"coarseGrid {{ min (-{HALF} -{HALF} -{HALF}); "
+    tank_case.write_case(case, tank_case.box_mesh((-HALF,) * 3, (HALF,) * 3, (n, n, n)), None,
+                         tank_case.control(end, delta_t, adjust="no", write_interval=write_interval), "")
+    tank_case.write(case / "constant/couplingProperties", f"coarseGrid {{ min (-{HALF} -{HALF} -{HALF}); "
                     f"max ({HALF} {HALF} {HALF}); cellSize {3 * DIAMETER}; }}\n{bodies}")
 
 
@@ -81,14 +65,14 @@ def acceleration(folder, body):
     """Of the plate over 2 ms, after the first of them [m/s2]."""
     (folder / "foam/constant/triSurface").mkdir(parents=True)
     place = 0.7 * HALF
-    surface = body_case.sphere(SMALL, (place, place, place), rings=16)
+    surface = surfaces.sphere(SMALL, (place, place, place), rings=16)
     for path in (folder / "small.stl", folder / "foam/constant/triSurface/small.stl"):
-        body_case.write_stl(path, surface)
+        surfaces.write_stl(path, surface)
     bodies = 'bodies { small { surface "constant/triSurface/small.stl"; } }\n' if body else ""
     write_fluid(folder, 4e-3, 2e-4, bodies)
     (folder / "in.two").write_text(PLATE.format(step=2e-6, body=LOCKED if body else ""))
-    two_bodies.mesh(folder, ["blockMesh"])
-    two_bodies.launch(folder)
+    pair.mesh(folder, ["blockMesh"])
+    pair.launch(folder)
     speed = [float(word) for word in (folder / "speed.txt").read_text().split()[1:]]
     return (speed[15] - speed[5]) / (10 * 100 * 2e-6)
 
@@ -108,8 +92,8 @@ def fastest(folder, delta_t, ramp):
     substeps, steps = round(delta_t / 1e-5), round(6e-3 / delta_t)
     write_fluid(folder, steps * delta_t, delta_t, write_interval=delta_t)
     (folder / "in.two").write_text(INSERTED.format(step=1e-5, ramp=ramp, first=substeps, rest=steps * substeps + 1))
-    two_bodies.mesh(folder, ["blockMesh"])
-    two_bodies.launch(folder)
+    pair.mesh(folder, ["blockMesh"])
+    pair.launch(folder)
     found = 0
     for step in range(1, steps + 1):
         flat = (fc.lists(folder / "foam" / f"{step * delta_t:.10g}" / "U") or [[0]])[0]

@@ -7,7 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-import case
+import shipped_case
 
 TOLERANCE = 1e-9  # of the buoyancy in water
 
@@ -21,7 +21,7 @@ def forces(path):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        runs = [case.run("hydrostatics", Path(folder) / name, [f"origin={origin}"])
+        runs = [shipped_case.run("hydrostatics", Path(folder) / name, [f"origin={origin}"])
                 for name, origin in (("here", 0.0), ("there", 1.0))]
         here, there = (forces(run.folder) for run in runs)
     scale = 1000 * 9.81 * math.pi / 6 * 0.002**3

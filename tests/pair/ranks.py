@@ -10,14 +10,14 @@ over at least 200 fluid steps, which must include the first cracks.
 """
 import csv
 import json
-import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-BUILD = Path(os.environ.get("FRAZIL_BUILD", ROOT / "build"))
+import pair
+from pair import ROOT, replace
+
 DIAMETER = 0.00465
 STEPS = 200
 CASE = {  # ice_entry's demo level with a plate and a fluid that run in seconds; the projectile starts almost in touch
@@ -50,39 +50,14 @@ def prepare(folder, foam_ranks):
         f"hierarchicalCoeffs {{ n ({foam_ranks} 1 1); delta 0.001; order xyz; }}\n")
 
 
-def replace(path, *pairs):
-    """Exact replacements; each must be there."""
-    text = path.read_text()
-    for old, new in pairs:
-        if old not in text:
-            sys.exit(f"{path}: no '{old}' to replace")
-        text = text.replace(old, new)
-    path.write_text(text)
-
-
 def run(folder, dem_ranks, foam_ranks, edit=None):
     """Outcome of one run of the pair; edit(folder) may change its inputs."""
     prepare(folder, foam_ranks)
     if edit:
         edit(folder)
-    quiet = {"check": True, "stdout": subprocess.DEVNULL}
-    for tool in (["blockMesh"], ["setFields"]) + ((["decomposePar"],) if foam_ranks > 1 else ()):
-        subprocess.run([ROOT / "frazil", "exec", *tool], cwd=folder / "foam", **quiet)
-    launch(folder, dem_ranks, foam_ranks)
+    pair.mesh(folder, ["blockMesh", "setFields"] + (["decomposePar"] if foam_ranks > 1 else []))
+    pair.launch(folder, dem_ranks, foam_ranks, "dem/in.ice_entry")
     return outcome(folder)
-
-
-def launch(folder, dem_ranks, foam_ranks):
-    """The pair in a prepared folder; a failure ends the test."""
-    parallel = ["-parallel"] if foam_ranks > 1 else []
-    with open(folder / "log.pair", "w") as log:
-        code = subprocess.run(
-            [ROOT / "frazil", "exec", "mpirun", "--oversubscribe", "-np", str(dem_ranks), BUILD / "bin/frazilDem", "-in",
-             "dem/in.ice_entry", "-log", "log.dem", "-screen", "/dev/null", ":", "-np", str(foam_ranks),
-             BUILD / "bin/frazilFoam", "-case", "foam", *parallel],
-            cwd=folder, stdout=log, stderr=log, timeout=600).returncode
-    if code:
-        sys.exit(f"{dem_ranks}:{foam_ranks} ended with {code}:\n" + (folder / "log.pair").read_text()[-2000:])
 
 
 def outcome(folder):

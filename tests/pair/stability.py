@@ -21,30 +21,17 @@ import sys
 import tempfile
 from pathlib import Path
 
-import two_bodies
-from two_bodies import body_case  # which also makes the helpers beside it importable
+import dem_script
+import pair
+import tank_case
 import foam_case as fc
 
 DIAMETER, CELLS = 0.003, 6  # [m], lattice cells along each edge
 STEPS = 60  # of the fluid
 
-LATTICE = """
-units si
-atom_style granular
-boundary f f f
-newton off
-communicate single vel yes
-region box block 0 {edge} 0 {edge} 0 {edge} units box
-create_box 1 box
-neighbor 0.002 bin
-neigh_modify delay 0
-fix m1 all property/global youngsModulus peratomtype 5e6
-fix m2 all property/global poissonsRatio peratomtype 0.45
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep {dem}
+BOX = "region box block 0 {edge} 0 {top} 0 {edge} units box\ncreate_box 1 box\n"
+HEAD = dem_script.head(BOX, restitution=0.5)
+LATTICE = HEAD + """timestep {dem}
 lattice custom {cell} a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0.25 0.25 0.25 basis 0.75 0.75 0.75
 create_atoms 1 box
 set group all diameter {diameter} density {density}
@@ -71,16 +58,16 @@ def lattice_case(folder, alpha, density, delta_t, bonded):
     dem = delta_t / every
     n = 2 * CELLS
     case = folder / "foam"
-    body_case.write_case(case, body_case.box_mesh((0, 0, 0), (edge,) * 3, (n, n, n)), None,
-                         body_case.control(STEPS * delta_t, delta_t, adjust="no"), "", gravity=0)
+    tank_case.write_case(case, tank_case.box_mesh((0, 0, 0), (edge,) * 3, (n, n, n)), None,
+                         tank_case.control(STEPS * delta_t, delta_t, adjust="no"), "", gravity=0)
     h = 3 * DIAMETER
-    body_case.write(case / "constant/couplingProperties",
+    tank_case.write(case / "constant/couplingProperties",
                     f"coarseGrid {{ min (0 0 0); max ({edge} {edge} {edge}); cellSize {h}; }}\n")
     # as stiff as the DEM step allows
     bonds = (f"fix bonds all bond/parallel young {7e6 * density / 900} stiffness_ratio 2 tensile_strength 1e9 shear_strength 1e9 "
              f"create_gap {2 * (cell * math.sqrt(0.75) / DIAMETER - 1) + 0.1}" if bonded else "")
     (folder / "in.two").write_text(LATTICE.format(
-        edge=edge, cell=cell, diameter=DIAMETER, density=density, dem=dem, every=every, bonds=bonds,
+        edge=edge, top=edge, cell=cell, diameter=DIAMETER, density=density, dem=dem, every=every, bonds=bonds,
         run=STEPS * every + 1))
 
 
@@ -94,31 +81,15 @@ def swim(folder, alpha, density, delta_t, bonded):
     folder.mkdir()
     lattice_case(folder, alpha, density, delta_t, bonded)
     try:
-        two_bodies.mesh(folder, ["blockMesh"])
-        two_bodies.launch(folder, 1)
+        pair.mesh(folder, ["blockMesh"])
+        pair.launch(folder, 1)
     except SystemExit:
         return math.inf, math.inf
     rows = speeds(folder)
     return max(max(abs(a), abs(b)) for _, a, b in rows) / 1e-3, rows[-1][0] / 1e-3
 
 
-BED = """
-units si
-atom_style granular
-boundary f f f
-newton off
-communicate single vel yes
-region box block 0 {edge} 0 {top} 0 {edge} units box
-create_box 1 box
-neighbor 0.001 bin
-neigh_modify delay 0
-fix m1 all property/global youngsModulus peratomtype 5e6
-fix m2 all property/global poissonsRatio peratomtype 0.45
-fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
-fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
-pair_style gran model hertz tangential history
-pair_coeff * *
-timestep {dem}
+BED = HEAD.replace("neighbor 0.002", "neighbor 0.001") + """timestep {dem}
 region low block 0 {edge} 0 {edge} 0 {edge} units box
 lattice custom {cell} a1 1 0 0 a2 0 1 0 a3 0 0 1 basis 0.25 0.25 0.25 basis 0.75 0.7 0.8
 create_atoms 1 region low
@@ -142,9 +113,9 @@ def bed_case(folder, delta_t):
     cell = DIAMETER * (2 * math.pi / 6 / 0.5) ** (1 / 3)
     edge, cells = CELLS * cell, (CELLS, 2 * CELLS, CELLS)
     case = folder / "foam"
-    body_case.write_case(case, body_case.box_mesh((0, 0, 0), (edge, 2 * edge, edge), cells), None,
-                         body_case.control(SETTLE + MEASURE, delta_t, adjust="no", write_interval=delta_t), "")
-    body_case.write(case / "constant/couplingProperties",
+    tank_case.write_case(case, tank_case.box_mesh((0, 0, 0), (edge, 2 * edge, edge), cells), None,
+                         tank_case.control(SETTLE + MEASURE, delta_t, adjust="no", write_interval=delta_t), "")
+    tank_case.write(case / "constant/couplingProperties",
                     f"coarseGrid {{ min (0 0 0); max ({edge} {2 * edge} {edge}); cellSize {3 * DIAMETER}; }}\n")
     (folder / "in.two").write_text(BED.format(edge=edge, top=2 * edge, cell=cell, diameter=DIAMETER, dem=1e-5,
                                               settle=60000, run=round((SETTLE + MEASURE) / 1e-5) + 1))
@@ -168,8 +139,8 @@ def rest(folder, delta_t):
     folder.mkdir()
     cells, weight = bed_case(folder, delta_t)
     try:
-        two_bodies.mesh(folder, ["blockMesh"])
-        two_bodies.launch(folder, 1)
+        pair.mesh(folder, ["blockMesh"])
+        pair.launch(folder, 1)
     except SystemExit:
         return math.inf
     return statistics.pstdev(floor_pressures(folder, cells, delta_t)) / weight

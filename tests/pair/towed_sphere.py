@@ -13,14 +13,16 @@ import sys
 import tempfile
 from pathlib import Path
 
-import two_bodies
-from two_bodies import body_case
+import dem_script
+import pair
+import tank_case
 
-DIAMETER, SPEED, NU = 0.002, 0.1, 1.79e-6  # [m] [m/s] [m2/s] of body_case's water
+DIAMETER, SPEED, NU = 0.002, 0.1, 1.79e-6  # [m] [m/s] [m2/s] of tank_case's water
 STEP, END = 2e-5, 0.2
 HALF = 0.06
 
-SCRIPT = two_bodies.HEAD + f"""
+BOX = dem_script.box((-HALF,) * 3, (HALF,) * 3)
+SCRIPT = dem_script.head(BOX, processors="* 1 1", sort=" sort 0 0") + "timestep {step}\n" + dem_script.GRAVITY + f"""
 create_atoms 1 single -0.01 0 0 units box
 set group all diameter {DIAMETER} density 7800
 velocity all set {SPEED} 0 0 units box
@@ -31,14 +33,13 @@ variable fy equal f_fluid[4]
 fix out all print 50 "${{{{fx}}}} ${{{{fy}}}}" file forces.txt screen no title "fx fy"
 run {round(END / STEP) + 1}
 """
-BOX = f"processors * 1 1\nregion box block -{HALF} {HALF} -{HALF} {HALF} -{HALF} {HALF} units box\ncreate_box 1 box"
 
 
 def write_fluid(folder):
     case = folder / "foam"
-    body_case.write_case(case, body_case.box_mesh((-HALF,) * 3, (HALF,) * 3, (12,) * 3), None,
-                         body_case.control(END, 1e-3, adjust="no"), "")
-    body_case.write(case / "constant/couplingProperties",
+    tank_case.write_case(case, tank_case.box_mesh((-HALF,) * 3, (HALF,) * 3, (12,) * 3), None,
+                         tank_case.control(END, 1e-3, adjust="no"), "")
+    tank_case.write(case / "constant/couplingProperties",
                     f"coarseGrid {{ min (-{HALF} -{HALF} -{HALF}); max ({HALF} {HALF} {HALF}); cellSize 0.02; }}\n")
 
 
@@ -59,9 +60,9 @@ def tow(folder, motion, ranks):
     """Whether both forces are right."""
     folder.mkdir()
     write_fluid(folder)
-    two_bodies.mesh(folder, ["blockMesh"])
-    (folder / "in.two").write_text(SCRIPT.format(start=BOX, step=STEP, motion=motion))
-    two_bodies.launch(folder, ranks)
+    pair.mesh(folder, ["blockMesh"])
+    (folder / "in.two").write_text(SCRIPT.format(step=STEP, motion=motion))
+    pair.launch(folder, ranks)
     passed = True
     for name, force, right, limit in zip(("along", "upwards"), forces(folder), expected(), (1e-2, 1e-3)):
         good = abs(force / right - 1) <= limit

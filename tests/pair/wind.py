@@ -13,13 +13,15 @@ import sys
 import tempfile
 from pathlib import Path
 
-import two_bodies
-from two_bodies import body_case
+import dem_script
+import pair
+import tank_case
 
 DIAMETER, WIND, HALF, DEPTH = 0.002, 20.0, 0.04, 0.0015
-NU_AIR, RHO_AIR = 1.314e-5, 1.294  # of body_case's air
+NU_AIR, RHO_AIR = 1.314e-5, 1.294  # of tank_case's air
 
-SCRIPT = two_bodies.HEAD + f"""
+BOX = dem_script.box((-HALF,) * 3, (HALF,) * 3)
+SCRIPT = dem_script.head(BOX, sort=" sort 0 0") + "timestep {step}\n" + dem_script.GRAVITY + f"""
 create_atoms 1 single 0.003 {{height}} 0.002 units box
 set group all diameter {DIAMETER} density 1000
 fix fluid all couple/foam
@@ -27,25 +29,24 @@ variable fx equal f_fluid[3]
 fix out all print 1 "${{{{fx}}}}" file force.txt screen no title fx
 run 11
 """
-BOX = f"region box block -{HALF} {HALF} -{HALF} {HALF} -{HALF} {HALF} units box\ncreate_box 1 box"
 
 
 def force(folder, height):
     """Along the wind, after the first DEM step [N]."""
     folder.mkdir()
     case = folder / "foam"
-    body_case.write_case(case, body_case.box_mesh((-HALF,) * 3, (HALF,) * 3, (20,) * 3), 0.0,
-                         body_case.control(1e-5, 1e-5, adjust="no"), "")
-    body_case.write(case / "system/setFieldsDict", f"""
+    tank_case.write_case(case, tank_case.box_mesh((-HALF,) * 3, (HALF,) * 3, (20,) * 3), 0.0,
+                         tank_case.control(1e-5, 1e-5, adjust="no"), "")
+    tank_case.write(case / "system/setFieldsDict", f"""
 defaultFieldValues (volScalarFieldValue alpha.water 0 volVectorFieldValue U ({WIND} 0 0));
 regions (boxToCell {{ box (-10 -10 -10) (10 0 10);
     fieldValues (volScalarFieldValue alpha.water 1 volVectorFieldValue U (0 0 0)); }});
 """)
-    body_case.write(case / "constant/couplingProperties",  # the surface in the middle of a cell
+    tank_case.write(case / "constant/couplingProperties",  # the surface in the middle of a cell
                     f"coarseGrid {{ min (-0.06 -0.06 -0.06); max (0.06 0.06 0.06); cellSize 0.024; }}\n")
-    (folder / "in.two").write_text(SCRIPT.format(start=BOX, step=1e-6, height=height))
-    two_bodies.mesh(folder, ["blockMesh", "setFields"])
-    two_bodies.launch(folder)
+    (folder / "in.two").write_text(SCRIPT.format(step=1e-6, height=height))
+    pair.mesh(folder, ["blockMesh", "setFields"])
+    pair.launch(folder)
     return float((folder / "force.txt").read_text().split()[1])
 
 
