@@ -1,5 +1,7 @@
 #include "compute_fragment.h"
 
+#include "DidYouMean.h"
+#include "InputError.h"
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -21,9 +23,12 @@ using namespace LAMMPS_NS;
 ComputeFragment::ComputeFragment(LAMMPS* lmp, int& iarg, int narg, char** arg)
     : Compute(lmp, iarg, narg, arg), bonds_(NULL), nmax_(0), label_(NULL)
 {
-    if (narg != iarg + 1)
-        error->all(FLERR, "Compute fragment takes one argument, the ID of a fix bond/parallel; cure: compute ID group "
-                          "fragment BONDFIX");
+    if (narg != iarg + 1) {
+        const frazil::InputError wrong("Compute fragment (id " + std::string(id) + ")", "", "",
+                                       narg > iarg + 1 ? "has too many words" : "lacks the ID of a fix bond/parallel",
+                                       "Write compute ID group fragment BONDFIX");
+        error->all(FLERR, wrong.what());
+    }
     bondFixId_ = arg[iarg++];
     peratom_flag = 1;
     size_peratom_cols = 0;
@@ -45,8 +50,15 @@ void ComputeFragment::init()
     const int ifix = modify->find_fix(bondFixId_.c_str());
     bonds_ = ifix < 0 ? NULL : dynamic_cast<FixBondParallel*>(modify->fix[ifix]);
     if (bonds_) return;
-    error->all(FLERR, ("Compute fragment (id " + std::string(id) + "): there is no fix bond/parallel with ID '" +
-                       bondFixId_ + "'; cure: give the ID of the bond fix").c_str());
+    std::vector<std::string> known;
+    for (int n = 0; n < modify->nfix; ++n) {
+        if (dynamic_cast<FixBondParallel*>(modify->fix[n])) known.push_back(modify->fix[n]->id);
+    }
+    const frazil::InputError wrong("Compute fragment (id " + std::string(id) + ")", "", bondFixId_,
+                                   "there is no fix bond/parallel of the ID '" + bondFixId_ + "'" +
+                                       frazil::didYouMean(bondFixId_, known),
+                                   "Give the ID of the bond fix");
+    error->all(FLERR, wrong.what());
 }
 
 /* ---------------------------------------------------------------------- */

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <vector>
 
+#include "DidYouMean.h"
+#include "InputError.h"
 #include "comm.h"
 #include "error.h"
 #include "fix_gravity.h"
@@ -14,6 +16,7 @@
 #include "force.h"
 #include "mesh_module_stress.h"
 #include "modify.h"
+#include "script_words.h"
 #include "tri_mesh.h"
 #include "update.h"
 
@@ -22,9 +25,6 @@ using namespace FixConst;
 using frazil::Vec3;
 
 namespace {
-
-const char *const syntax = "fix ID all body/rigid mesh MESHID density RHO velocity VX VY VZ [mass M] "
-                           "[com X Y Z] [inertia XX YY ZZ XY XZ YZ] [omega WX WY WZ] [lock x y z rx ry rz]";
 
 typedef MultiVectorContainer<double, 3, 3> NodeVectors;
 
@@ -51,77 +51,45 @@ struct FixBodyRigid::Options {
   bool hasCom = false, hasInertia = false;
   bool lock[6] = {false, false, false, false, false, false};
 
-  Options(FixBodyRigid &fix, Force &force, int narg, char **arg) : fix_(fix), force_(force), narg_(narg), arg_(arg)
+  explicit Options(const frazil::Settings &words)
   {
-    for (i_ = 3; i_ < narg_;) read(arg_[i_++]);
-    if (mesh.empty()) fix.fail("keyword 'mesh' is missing: name the fix mesh/surface/stress that is the body's surface");
-    if (density <= 0 && mass <= 0) fix.fail("give 'density' [kg/m3] or 'mass' [kg], above zero");
+    mesh = words.text("mesh");
+    if (words.has("density")) density = words.positive("density");
+    if (words.has("mass")) mass = words.positive("mass");
+    velocity = words.vec3("velocity", velocity);
+    omega = words.vec3("omega", omega);
+    hasCom = words.has("com");
+    com = words.vec3("com", com);
+    if (words.has("inertia")) readInertia(words);
+    if (words.has("lock")) readLock(words);
+    if (density <= 0 && mass <= 0)
+      words.reject("mesh", "gives the body no mass", "Add 'density RHO' [kg/m3] or 'mass M' [kg], above zero");
     if (hasCom && !hasInertia)
-      fix.fail("'com' moves the centre of mass away from the surface's centroid, so its inertia is not known: "
-               "give 'inertia XX YY ZZ XY XZ YZ' about that centre [kg m2]");
+      words.reject("com", "moves the centre of mass away from the surface's centroid, so its inertia is not known",
+                   "Add 'inertia XX YY ZZ XY XZ YZ' about that centre [kg m2]");
   }
 
  private:
-  void read(const std::string &key)
+  void readInertia(const frazil::Settings &words)
   {
-    if (key == "mesh") mesh = word(key);
-    else if (key == "density") density = positive(key);
-    else if (key == "mass") mass = positive(key);
-    else if (key == "velocity") velocity = vec3(key);
-    else if (key == "omega") omega = vec3(key);
-    else if (key == "com") com = vec3(key), hasCom = true;
-    else if (key == "inertia") readInertia(key);
-    else if (key == "lock") readLock(key);
-    else fix_.fail("unknown keyword '" + key + "'; the syntax is: " + syntax);
-  }
-
-  char *word(const std::string &key)
-  {
-    if (i_ >= narg_) fix_.fail("keyword '" + key + "' needs more values; the syntax is: " + std::string(syntax));
-    return arg_[i_++];
-  }
-
-  double number(const std::string &key) { return force_.numeric(FLERR, word(key)); }
-
-  double positive(const std::string &key)
-  {
-    const double value = number(key);
-    if (!(value > 0)) fix_.fail("'" + key + "' is " + text(value) + ", it must be above zero");
-    return value;
-  }
-
-  Vec3 vec3(const std::string &key)
-  {
-    Vec3 v;
-    for (int axis = 0; axis < 3; axis++) v[axis] = number(key);
-    return v;
-  }
-
-  void readInertia(const std::string &key)
-  {
-    for (double &component : inertia) component = number(key);
+    const std::vector<double> given = words.numbers("inertia");
+    std::copy(given.begin(), given.end(), inertia.begin());
     if (!frazil::positiveDefinite(inertia))
-      fix_.fail("'inertia' is not a positive definite tensor; its order is XX YY ZZ XY XZ YZ [kg m2], "
-                "with XY = -sum of m x y");
+      words.reject("inertia", "is not a positive definite tensor",
+                   "Its order is XX YY ZZ XY XZ YZ [kg m2], with XY = -sum of m x y");
     hasInertia = true;
   }
 
-  void readLock(const std::string &key)
+  void readLock(const frazil::Settings &words)
   {
-    static const char *const name[6] = {"x", "y", "z", "rx", "ry", "rz"};
-    const int first = i_;
-    for (; i_ < narg_; i_++) {
-      const auto *found = std::find(name, name + 6, std::string(arg_[i_]));
-      if (found == name + 6) break;
-      lock[found - name] = true;
+    const std::vector<std::string> name = {"x", "y", "z", "rx", "ry", "rz"};
+    for (const std::string &word : words.words("lock")) {
+      const auto found = std::find(name.begin(), name.end(), word);
+      if (found == name.end())
+        words.reject("lock", word + " is no direction" + frazil::didYouMean(word, name), "Choose from: x y z rx ry rz");
+      lock[found - name.begin()] = true;
     }
-    if (i_ == first) fix_.fail("keyword '" + key + "' needs at least one of x y z rx ry rz");
   }
-
-  FixBodyRigid &fix_;
-  Force &force_;
-  int narg_, i_;
-  char **arg_;
 };
 
 /* ---------------------------------------------------------------------- */
@@ -132,7 +100,7 @@ FixBodyRigid::FixBodyRigid(LAMMPS *lmp, int narg, char **arg)
 {
   if (std::strlen(id) >= sizeof(frazil::BodyState::name))
     fail("the fix's ID names the body on the fluid side and may have at most 63 letters");
-  const Options options(*this, *force, narg, arg);
+  const Options options = readWords(narg, arg);
   findMesh(options.mesh);
   setMass(options);
   for (int axis = 0; axis < 3; axis++) {
@@ -150,6 +118,20 @@ FixBodyRigid::FixBodyRigid(LAMMPS *lmp, int narg, char **arg)
 /* ---------------------------------------------------------------------- */
 
 FixBodyRigid::~FixBodyRigid() {}
+
+/* ---------------------------------------------------------------------- */
+
+FixBodyRigid::Options FixBodyRigid::readWords(int narg, char **arg)
+{
+  try {
+    return Options(frazil::scriptWords(narg - 3, arg + 3,
+                                       {{"mesh"}, {"density"}, {"mass"}, {"velocity", 3, 3}, {"omega", 3, 3},
+                                        {"com", 3, 3}, {"inertia", 6, 6}, {"lock", 1, 6}}));
+  } catch (const frazil::InputError &wrong) {
+    fail(wrong.what());
+    throw;
+  }
+}
 
 /* ---------------------------------------------------------------------- */
 

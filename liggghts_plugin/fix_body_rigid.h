@@ -46,6 +46,7 @@ class FixBodyRigid : public Fix, public CoupledBody {
 
  private:
   struct Options;
+  Options readWords(int, char **);
 
   void fail(const std::string &problem);
   void findMesh(const std::string &meshId);

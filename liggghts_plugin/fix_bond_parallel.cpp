@@ -1,5 +1,8 @@
 #include "fix_bond_parallel.h"
 
+#include "InputError.h"
+#include "script_words.h"
+
 #include "atom.h"
 #include "bond_kernel.h"
 #include "comm.h"
@@ -21,8 +24,10 @@ using namespace frazil;
 namespace
 {
 
-const char* const keywords = "young, stiffness_ratio, tensile_strength, shear_strength, radius_factor, moment_factor, "
-                             "friction_angle, damping, create_gap, list, weibull, events";
+const std::vector<Keyword> keywords = {
+    {"young"},        {"stiffness_ratio"}, {"tensile_strength"}, {"shear_strength"}, {"radius_factor"}, {"moment_factor"},
+    {"friction_angle"}, {"damping", 1, 4},   {"create_gap"},       {"list"},           {"weibull", 2, 2}, {"events"}};
+
 inline Vec3 vec(const double* v)
 {
     return {v[0], v[1], v[2]};
@@ -37,18 +42,6 @@ bool breaks(const BondBlock& block)
     return count > 0;
 }
 
-/// How many numbers follow, at least one: a word that is none is told when it is read.
-int countNumbers(int first, int narg, char** arg)
-{
-    int count = 0;
-    for (char* end = NULL; first + count < narg; ++count) {
-        std::strtod(arg[first + count], &end);
-        if (end == arg[first + count] || *end)
-            break;
-    }
-    return std::max(count, 1);
-}
-
 } // namespace
 
 /* ---------------------------------------------------------------------- */
@@ -61,7 +54,11 @@ FixBondParallel::FixBondParallel(LAMMPS* lmp, int narg, char** arg)
 {
     if (!atom->sphere_flag || !atom->omega_flag || !atom->torque_flag)
         error->fix_error(FLERR, this, "bonds need spheres with spin and torque; cure: atom_style granular");
-    parse(narg, arg);
+    try {
+        parse(scriptWords(narg - 3, arg + 3, keywords));
+    } catch (const InputError& wrong) {
+        error->fix_error(FLERR, this, wrong.what());
+    }
 
     restart_global = 1;
     restart_peratom = 1;
@@ -106,104 +103,51 @@ int FixBondParallel::setmask()
    input
 ------------------------------------------------------------------------- */
 
-void FixBondParallel::require(bool fine, const std::string& keyword, const std::string& value,
-                              const std::string& problem, const std::string& cure)
+void FixBondParallel::parse(const Settings& words)
 {
-    if (fine)
-        return;
-    const std::string text = "keyword '" + keyword + "' has '" + value + "', which " + problem + "; cure: " + cure;
-    error->fix_error(FLERR, this, text.c_str());
+    material_.young = words.positive("young");
+    material_.stiffnessRatio = words.positive("stiffness_ratio");
+    material_.tensileStrength = words.positive("tensile_strength");
+    material_.shearStrength = words.positive("shear_strength");
+    radiusFactor_ = words.positive("radius_factor", radiusFactor_);
+    material_.momentFactor = words.notNegative("moment_factor", material_.momentFactor);
+    createGap_ = words.notNegative("create_gap", createGap_);
+    const double angle = words.notNegative("friction_angle", 0);
+    if (angle >= 90)
+        words.reject("friction_angle", "is no friction angle", "Give degrees, 0 or more and below 90");
+    material_.frictionTan = std::tan(angle * M_PI / 180);
+    eventsFile_ = words.text("events", "");
+    listFile_ = words.text("list", "");
+    if (words.has("list") && words.has("create_gap"))
+        words.reject("list", "stands beside create_gap", "Give one of the two");
+    if (words.has("weibull"))
+        parseWeibull(words);
+    if (words.has("damping"))
+        parseDamping(words);
 }
 
-double FixBondParallel::number(const char* keyword, const char* text)
+void FixBondParallel::parseWeibull(const Settings& words)
 {
-    char* end = NULL;
-    const double value = std::strtod(text, &end);
-    require(end != text && *end == '\0', keyword, text, "is not a number", "give a number in SI units");
-    return value;
-}
-
-void FixBondParallel::parse(int narg, char** arg)
-{
-    enum Range { POSITIVE, NOT_NEGATIVE, ANGLE };
-    struct Option {
-        const char* keyword;
-        double* value;
-        Range range;
-        bool needed, given;
-    };
-    double frictionDegrees = 0;
-    Option options[] = {{"young", &material_.young, POSITIVE, true, false},
-                        {"stiffness_ratio", &material_.stiffnessRatio, POSITIVE, true, false},
-                        {"tensile_strength", &material_.tensileStrength, POSITIVE, true, false},
-                        {"shear_strength", &material_.shearStrength, POSITIVE, true, false},
-                        {"radius_factor", &radiusFactor_, POSITIVE, false, false},
-                        {"moment_factor", &material_.momentFactor, NOT_NEGATIVE, false, false},
-                        {"friction_angle", &frictionDegrees, ANGLE, false, false},
-                        {"create_gap", &createGap_, NOT_NEGATIVE, false, false}}; // the last
-
-    for (int iarg = 3; iarg < narg;) {
-        const std::string keyword = arg[iarg];
-        const int values = keyword == "weibull" ? 2 : keyword == "damping" ? countNumbers(iarg + 1, narg, arg) : 1;
-        if (iarg + values >= narg)
-            require(false, keyword, "nothing", "lacks its value",
-                    "see doc/fix_bond_parallel.md; keywords: " + std::string(keywords));
-        Option* option =
-            std::find_if(std::begin(options), std::end(options), [&](const Option& o) { return keyword == o.keyword; });
-        if (option != std::end(options)) {
-            *option->value = number(arg[iarg], arg[iarg + 1]);
-            option->given = true;
-            const double v = *option->value;
-            if (option->range == POSITIVE)
-                require(v > 0, keyword, arg[iarg + 1], "is not positive", "give a value > 0");
-            if (option->range == NOT_NEGATIVE)
-                require(v >= 0, keyword, arg[iarg + 1], "is negative", "give a value >= 0");
-            if (option->range == ANGLE)
-                require(v >= 0 && v < 90, keyword, arg[iarg + 1], "is no friction angle",
-                        "give degrees, 0 <= angle < 90");
-        } else if (keyword == "weibull") {
-            parseWeibull(arg + iarg + 1);
-        } else if (keyword == "damping") {
-            parseDamping(values, arg + iarg + 1);
-        } else if (keyword == "events") {
-            eventsFile_ = arg[iarg + 1];
-        } else if (keyword == "list") {
-            listFile_ = arg[iarg + 1];
-        } else {
-            error->fix_error(FLERR, this, ("unknown keyword '" + keyword + "'; known are: " + keywords).c_str());
-        }
-        iarg += 1 + values;
-    }
-    for (const Option& option : options)
-        if (option.needed && !option.given)
-            require(false, option.keyword, "nothing", "is needed", "add '" + std::string(option.keyword) + " <value>'");
-    const bool gapGiven = std::end(options)[-1].given;
-    require(listFile_.empty() || !gapGiven, "list", listFile_, "stands beside create_gap", "give one of the two");
-    material_.frictionTan = std::tan(frictionDegrees * M_PI / 180);
-}
-
-void FixBondParallel::parseWeibull(char** arg)
-{
-    weibullModulus_ = number("weibull", arg[0]);
-    const double seed = number("weibull", arg[1]);
-    weibullSeed_ = static_cast<int>(seed);
-    require(weibullModulus_ > 0, "weibull", arg[0], "is no Weibull modulus", "give m > 0, then the seed");
-    require(seed == weibullSeed_ && seed > 0, "weibull", arg[1], "is no seed", "give a whole number > 0");
+    const std::vector<double> given = words.numbers("weibull");
+    weibullModulus_ = given[0];
+    weibullSeed_ = static_cast<int>(given[1]);
+    if (!(weibullModulus_ > 0))
+        words.reject("weibull", "has no Weibull modulus", "Give m > 0, then the seed");
+    if (given[1] != weibullSeed_ || given[1] <= 0)
+        words.reject("weibull", "has no seed", "Give m, then a whole number > 0");
 }
 
 /// One fraction for all modes, or one for each.
-void FixBondParallel::parseDamping(int count, char** arg)
+void FixBondParallel::parseDamping(const Settings& words)
 {
-    std::string given = arg[0];
-    for (int n = 1; n < count; ++n)
-        given += std::string(" ") + arg[n];
-    require(count == 1 || count == 4, "damping", given, "is neither one number nor four",
-            "give one fraction for all modes, or those of normal, shear, torsion and bending");
-    double fractions[4];
-    for (int n = 0; n < 4; ++n) {
-        fractions[n] = number("damping", arg[count == 4 ? n : 0]);
-        require(fractions[n] >= 0, "damping", given, "is negative", "give values >= 0");
-    }
+    std::vector<double> fractions = words.numbers("damping");
+    if (fractions.size() == 1)
+        fractions.resize(4, fractions[0]);
+    if (fractions.size() != 4)
+        words.reject("damping", "is neither one number nor four",
+                     "Give one fraction for all modes, or those of normal, shear, torsion and bending");
+    if (*std::min_element(fractions.begin(), fractions.end()) < 0)
+        words.reject("damping", "is negative", "Give values of 0 or more");
     material_.damping = {fractions[0], fractions[1], fractions[2], fractions[3]};
 }
 

@@ -11,6 +11,7 @@
 #ifndef LMP_FIX_BOND_PARALLEL_H
 #define LMP_FIX_BOND_PARALLEL_H
 
+#include "Settings.h"
 #include "bond_table.h"
 #include "fix.h"
 #include "read_bond_list.h"
@@ -80,11 +81,9 @@ class FixBondParallel : public Fix
     enum Total { ELASTIC, DAMPED, RELEASED, TOTALS };
 
     // fix_bond_parallel.cpp: input and the step
-    void parse(int, char**);
-    void require(bool, const std::string&, const std::string&, const std::string&, const std::string&);
-    double number(const char*, const char*);
-    void parseWeibull(char**);
-    void parseDamping(int, char**);
+    void parse(const frazil::Settings&);
+    void parseWeibull(const frazil::Settings&);
+    void parseDamping(const frazil::Settings&);
     void say(const std::string&) const;
     void evaluate(int);
     void evaluateBlock(std::size_t, double);

@@ -2,6 +2,8 @@
 
 #include "fix_bond_parallel.h"
 
+#include "InputError.h"
+
 #include "atom.h"
 #include "comm.h"
 #include "compute.h"
@@ -214,8 +216,11 @@ void FixBondParallel::flushEvents()
     if (!eventsOpened_) {
         MPI_Bcast(&fine, 1, MPI_INT, 0, world);
         eventsOpened_ = true;
-        require(fine, "events", eventsFile_, "cannot be written",
-                "name a file in a folder that exists and is writable");
+        if (!fine) {
+            const InputError wrong("", "events", eventsFile_, "cannot be written",
+                                   "Name a file in a folder that exists and is writable");
+            error->fix_error(FLERR, this, wrong.what());
+        }
     }
     if (!fine)
         error->one(FLERR, ("Fix bond/parallel: the events file '" + eventsFile_ +

@@ -3,15 +3,16 @@
 #include <cmath>
 #include <cstring>
 
+#include "InputError.h"
 #include "atom.h"
 #include "coupled_body.h"
 #include "coupling_history.h"
 #include "error.h"
 #include "fluid_push.h"
-#include "force.h"
 #include "memory.h"
 #include "modify.h"
 #include "output.h"
+#include "script_words.h"
 #include "signal_handling.h"
 #include "update.h"
 
@@ -52,7 +53,11 @@ FixCoupleFoam::FixCoupleFoam(LAMMPS *lmp, int narg, char **arg) :
   exchangeWall_(0),
   forceWall_(0)
 {
-  readKeywords(narg, arg);
+  try {
+    readKeywords(narg, arg);
+  } catch (const frazil::InputError &wrong) {
+    error->fix_error(FLERR, this, wrong.what());
+  }
   if (!atom->radius_flag || !atom->rmass_flag)
     error->fix_error(FLERR, this, "needs spheres with mass and radius. Use atom_style granular");
   if (modify->n_fixes_style_strict("couple/foam") > 0)
@@ -100,24 +105,15 @@ FixCoupleFoam::~FixCoupleFoam()
 
 void FixCoupleFoam::readKeywords(int narg, char **arg)
 {
-  for (int i = 3; i < narg; i += 2) {
-    const std::string keyword = arg[i];
-    if (i + 1 == narg) {
-      const std::string message = "keyword " + keyword + " has no value";
-      error->fix_error(FLERR, this, message.c_str());
-    }
-    if (keyword == "shielding") shieldingId_ = arg[i + 1];
-    else if (keyword == "history") historyFile_ = strcmp(arg[i + 1], "none") ? arg[i + 1] : "";
-    else if (keyword == "restart") restartFile_ = arg[i + 1];
-    else if (keyword == "ramp") ramp_ = force->numeric(FLERR, arg[i + 1]);
-    else if (keyword == "fragment_every") fragmentEvery_ = force->inumeric(FLERR, arg[i + 1]);
-    else {
-      const std::string message = "unknown keyword " + keyword + ". Known: shielding, history, restart, ramp, fragment_every";
-      error->fix_error(FLERR, this, message.c_str());
-    }
-  }
-  if (!(ramp_ >= 0) || !std::isfinite(ramp_)) error->fix_error(FLERR, this, "ramp must be a time of 0 or more (seconds)");
-  if (fragmentEvery_ < 1) error->fix_error(FLERR, this, "fragment_every must be 1 or more (fluid steps)");
+  const frazil::Settings words =
+      frazil::scriptWords(narg - 3, arg + 3, {{"shielding"}, {"history"}, {"restart"}, {"ramp"}, {"fragment_every"}});
+  shieldingId_ = words.text("shielding", "");
+  historyFile_ = words.text("history", historyFile_);
+  if (historyFile_ == "none") historyFile_.clear();
+  restartFile_ = words.text("restart", "");
+  ramp_ = words.notNegative("ramp", ramp_);
+  fragmentEvery_ = int(words.integer("fragment_every", fragmentEvery_));
+  if (fragmentEvery_ < 1) words.reject("fragment_every", "must be above zero", "Give a number of fluid steps");
 }
 
 int FixCoupleFoam::setmask()

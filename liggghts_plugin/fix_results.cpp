@@ -3,10 +3,12 @@
 #include "compute_fragment.h"
 #include "fix_bond_parallel.h"
 
+#include "InputError.h"
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
 #include "modify.h"
+#include "script_words.h"
 #include "update.h"
 
 #include <array>
@@ -28,28 +30,30 @@ FixResults::FixResults(LAMMPS* lmp, int narg, char** arg)
     : Fix(lmp, narg, arg), file_("particles.h5"), bonds_(NULL), fluid_(NULL), fragment_(NULL), writtenAt_(-1),
       timeBefore_(0), restartTime_(-1)
 {
-    if (narg < 4) stop("syntax: fix ID group results N [file F] [bonds FIX] [fluid FIX] [fragment COMPUTE]");
-    nevery = atoi(arg[3]);
-    if (nevery <= 0) stop(std::string("the number of steps between snapshots is '") + arg[3] + "', must be above 0");
-    readKeywords(narg - 4, arg + 4);
+    try {
+        readWords(narg, arg);
+    } catch (const frazil::InputError& wrong) {
+        stop(wrong.what());
+    }
     restart_global = 1;
 }
 
 FixResults::~FixResults() {}
 
-void FixResults::readKeywords(int narg, char** arg)
+void FixResults::readWords(int narg, char** arg)
 {
-    const std::array<std::pair<const char*, std::string*>, 4> known = {
-        {{"file", &file_}, {"bonds", &bondsId_}, {"fluid", &fluidId_}, {"fragment", &fragmentId_}}};
-
-    for (int i = 0; i < narg; i += 2) {
-        std::string* value = NULL;
-        for (const auto& keyword : known)
-            if (strcmp(arg[i], keyword.first) == 0) value = keyword.second;
-        if (!value) stop(std::string("unknown keyword '") + arg[i] + "'; known: file, bonds, fluid, fragment");
-        if (i + 1 == narg) stop(std::string("keyword '") + arg[i] + "' needs a value");
-        *value = arg[i + 1];
-    }
+    frazil::Settings steps("", "", frazil::Settings::Form::script);
+    if (narg > 3)
+        steps.set("N", arg[3]);
+    nevery = int(steps.integer("N"));
+    if (nevery <= 0)
+        steps.reject("N", "must be above zero", "Give the number of DEM steps between snapshots");
+    const frazil::Settings words =
+        frazil::scriptWords(narg - 4, arg + 4, {{"file"}, {"bonds"}, {"fluid"}, {"fragment"}});
+    file_ = words.text("file", file_);
+    bondsId_ = words.text("bonds", "");
+    fluidId_ = words.text("fluid", "");
+    fragmentId_ = words.text("fragment", "");
 }
 
 int FixResults::setmask() { return FixConst::END_OF_STEP; }

@@ -44,7 +44,7 @@ private:
 
     [[noreturn]] void stop(const std::string&);   // all ranks have the error
     [[noreturn]] void stopAlone(const std::string&); // perhaps only this one
-    void readKeywords(int, char**);
+    void readWords(int, char**);
     class Fix* findFix(const std::string& keyword, const std::string& id);
 
     void openFile();

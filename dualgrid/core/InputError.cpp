@@ -11,7 +11,7 @@ std::string paragraph(const std::string& file, const std::string& key, const std
 {
     std::string text = file;
     if (!key.empty())
-        text += ": " + key + (value.empty() ? "" : " " + value);
+        text += (text.empty() ? "" : ": ") + key + (value.empty() ? "" : " " + value);
     text += (text.empty() ? "" : ": ") + problem;
     if (!cure.empty())
         text += (text.back() == '.' ? " " : ". ") + cure;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
+#include "DidYouMean.h"
 #include "InputError.h"
 
 namespace frazil
@@ -13,46 +13,6 @@ namespace frazil
 
 namespace
 {
-
-std::string join(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const auto& word : words)
-        text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
-/// Number of inserted, deleted or replaced letters between two words (Levenshtein 1966); O(len x len).
-std::size_t editDistance(const std::string& a, const std::string& b)
-{
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), 0);
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replace = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({replace, row[j] + 1, row[j - 1] + 1});
-        }
-    }
-    return row[b.size()];
-}
-
-/// ` (did you mean "x"?)` if one of the words is within a third of the letters, else nothing.
-std::string didYouMean(const std::string& word, const std::vector<std::string>& known)
-{
-    std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
-    std::string nearest;
-    for (const auto& candidate : known) {
-        const std::size_t distance = editDistance(word, candidate);
-        if (distance < best) {
-            best = distance;
-            nearest = candidate;
-        }
-    }
-    return nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)";
-}
 
 /// The whole word as a finite number, in the C locale's format whatever the locale is.
 template <class T> std::optional<T> parse(const std::string& word)
@@ -89,7 +49,10 @@ std::vector<std::string> split(std::string text)
 
 } // namespace
 
-Settings::Settings(std::string file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
+Settings::Settings(std::string file, std::string path, Form form)
+    : form_(form), file_(std::move(file)), path_(std::move(path))
+{
+}
 
 void Settings::set(const std::string& key, const std::string& value)
 {
@@ -100,7 +63,7 @@ Settings& Settings::addSub(const std::string& key)
 {
     auto& child = subs_[key];
     if (!child)
-        child = std::make_unique<Settings>(file_, pathOf(key));
+        child = std::make_unique<Settings>(file_, pathOf(key), form_);
     emptySubs_.erase(key);
     return *child;
 }
@@ -113,7 +76,7 @@ const Settings& Settings::sub(const std::string& key) const
     }
     auto& child = subs_[key];
     if (!child) {
-        child = std::make_unique<Settings>(file_, pathOf(key));
+        child = std::make_unique<Settings>(file_, pathOf(key), form_);
         emptySubs_.insert(key);
     }
     return *child;
@@ -161,6 +124,14 @@ double Settings::positive(const std::string& key, double byDefault) const
     return find(key) ? positive(key) : byDefault;
 }
 
+double Settings::notNegative(const std::string& key, double byDefault) const
+{
+    const double value = number(key, byDefault);
+    if (value < 0)
+        reject(key, "must not be negative", "Give 0 or more");
+    return value;
+}
+
 long Settings::integer(const std::string& key) const
 {
     const std::string& value = require(key);
@@ -180,7 +151,7 @@ std::string Settings::word(const std::string& key, const std::vector<std::string
     if (std::find(allowed.begin(), allowed.end(), value) != allowed.end())
         return value;
     throw InputError(file_, pathOf(key), value, "is not one of the choices" + didYouMean(value, allowed),
-                     "Choose from: " + join(allowed));
+                     "Choose from: " + joined(allowed));
 }
 
 std::string Settings::word(const std::string& key, const std::vector<std::string>& allowed,
@@ -211,21 +182,35 @@ bool Settings::flag(const std::string& key, bool byDefault) const
     throw InputError(file_, pathOf(key), *value, "is neither on nor off", "Choose from: on, off, yes, no, true, false");
 }
 
+std::vector<std::string> Settings::words(const std::string& key) const
+{
+    return split(require(key));
+}
+
+std::vector<double> Settings::numbers(const std::string& key) const
+{
+    std::vector<double> list;
+    for (const std::string& word : words(key)) {
+        const auto number = parse<double>(word);
+        if (!number)
+            throw InputError(file_, pathOf(key), require(key), word + " is not a number",
+                             "Write it like 0.005 or 5e-3, in SI units");
+        list.push_back(*number);
+    }
+    return list;
+}
+
 Vec3 Settings::vec3(const std::string& key) const
 {
     const std::string& value = require(key);
-    const auto words = split(value);
-    Vec3 v;
-    bool good = words.size() == 3;
-    for (int axis = 0; good && axis < 3; ++axis) {
-        const auto number = parse<double>(words[axis]);
-        good = number.has_value();
-        if (good)
-            v[axis] = *number;
+    const auto list = words(key);
+    if (list.size() == 3) {
+        const auto x = parse<double>(list[0]), y = parse<double>(list[1]), z = parse<double>(list[2]);
+        if (x && y && z)
+            return {*x, *y, *z};
     }
-    if (good)
-        return v;
-    throw InputError(file_, pathOf(key), value, "is not a vector", "Write three numbers: (x y z)");
+    throw InputError(file_, pathOf(key), value, "is not a vector",
+                     form_ == Form::dictionary ? "Write three numbers: (x y z)" : "Write three numbers: X Y Z");
 }
 
 Vec3 Settings::vec3(const std::string& key, const Vec3& byDefault) const
@@ -270,12 +255,14 @@ const std::string& Settings::require(const std::string& key) const
 {
     if (const std::string* value = find(key))
         return *value;
-    throw InputError(file_, path_, "", "key \"" + key + "\" is missing", "Add a line: " + key + " <value>;");
+    const bool line = form_ == Form::dictionary;
+    throw InputError(file_, path_, "", (line ? "key \"" : "keyword \"") + key + "\" is missing",
+                     (line ? "Add a line: " : "Add ") + key + (line ? " <value>;" : " <value>"));
 }
 
 void Settings::unknown(const std::string& key) const
 {
-    const std::string cure = asked_.empty() ? "No key is known here" : "Known keys: " + join(asked_);
+    const std::string cure = asked_.empty() ? "No key is known here" : "Known keys: " + joined(asked_);
     throw InputError(file_, path_, "", "unknown key \"" + key + "\"" + didYouMean(key, asked_), cure);
 }
 

@@ -19,8 +19,11 @@ namespace frazil
 class Settings
 {
   public:
+    /// How the user writes them, for the cures: `key value;` in a file, or `key value` among the words of a script.
+    enum class Form { dictionary, script };
+
     /// `file` and `path` (the sub-dictionary's name, empty for the top) appear in every message.
-    Settings(std::string file, std::string path);
+    Settings(std::string file, std::string path, Form form = Form::dictionary);
 
     void set(const std::string& key, const std::string& value);
     /// The sub-dictionary `key`, for the host to fill.
@@ -37,6 +40,7 @@ class Settings
     /// A number that must be greater than zero.
     double positive(const std::string& key) const;
     double positive(const std::string& key, double byDefault) const;
+    double notNegative(const std::string& key, double byDefault) const;
     long integer(const std::string& key) const;
     long integer(const std::string& key, long byDefault) const;
     std::string word(const std::string& key, const std::vector<std::string>& allowed) const;
@@ -47,7 +51,10 @@ class Settings
     std::string text(const std::string& key, const std::string& byDefault) const;
     /// on/off, yes/no, true/false.
     bool flag(const std::string& key, bool byDefault) const;
-    /// Three numbers, with or without round brackets.
+    /// Several words or numbers, with or without round brackets.
+    std::vector<std::string> words(const std::string& key) const;
+    std::vector<double> numbers(const std::string& key) const;
+    /// Three numbers.
     Vec3 vec3(const std::string& key) const;
     Vec3 vec3(const std::string& key, const Vec3& byDefault) const;
 
@@ -64,6 +71,7 @@ class Settings
     std::string pathOf(const std::string& key) const;
     void learn(const std::string& key) const;
 
+    Form form_;
     std::string file_, path_;
     std::map<std::string, std::string> values_;
     mutable std::map<std::string, std::unique_ptr<Settings>> subs_;

@@ -235,15 +235,20 @@ def errors(program):
     cuboid("open.stl", (0.1, 0.1, 0.1), skip=1)
     plain = "fix plain all mesh/surface file body.stl type 1\n"
     cases = [("mesh missing density 900", "", "body.stl", "there is no fix 'missing', so the body has no mesh"),
-             ("density 900", "", "body.stl", "keyword 'mesh' is missing"),
+             ("density 900", "", "body.stl", 'keyword "mesh" is missing'),
              ("mesh plain density 900", plain, "body.stl", "make it a mesh/surface/stress"),
              ("mesh hull density 900", "", "open.stl", "open"),
-             ("mesh hull", "", "body.stl", "give 'density'"),
-             ("mesh hull density -1", "", "body.stl", "above zero"),
-             ("mesh hull density 900 speed 1 2 3", "", "body.stl", "unknown keyword 'speed'"),
-             ("mesh hull density 900 velocity 1 2", "", "body.stl", "needs more values"),
-             ("mesh hull density 900 lock all", "", "body.stl", "needs at least one of"),
-             ("mesh hull density 900 com 0 0 0.01", "", "body.stl", "give 'inertia"),
+             ("mesh hull", "", "body.stl", "Add 'density RHO'"),
+             ("mesh hull density -1", "", "body.stl", "density -1: must be greater than zero"),
+             ("mesh hull density inf", "", "body.stl", "density inf: is not a number"),
+             ("mesh hull density 900 velocity 1 nan 0", "", "body.stl", "velocity 1 nan 0: is not a vector"),
+             ("mesh hull densty 900", "", "body.stl", 'densty: unknown keyword (did you mean "density"?)'),
+             ("mesh hull density 900 speed 1 2 3", "", "body.stl", "speed: unknown keyword"),
+             ("mesh hull density 900 velocity 1 2", "", "body.stl", "velocity 1 2: needs 3 values"),
+             ("mesh hull density 900 mesh hull", "", "body.stl", "mesh: stands twice"),
+             ("mesh hull density 900 lock all", "", "body.stl", "lock all: all is no direction"),
+             ("mesh hull density 900 lock", "", "body.stl", "lock: needs 1 value"),
+             ("mesh hull density 900 com 0 0 0.01", "", "body.stl", "Add 'inertia"),
              ("mesh hull density 900 inertia 1 1 -1 0 0 0", "", "body.stl", "positive definite")]
     ok = True
     for arguments, extra, stl, expected in cases:

@@ -66,7 +66,7 @@ def mistakes(check):
         message = next((line for line in run.output.splitlines() if "ERROR" in line), "")
         check.true(f"list, {name}", all(word in message for word in words), message)
     for more, words in (("list nowhere.txt", ["nowhere.txt", "cannot be read"]),
-                        ("list pairs.txt create_gap 0.02", ["'list'", "create_gap", "one of the two"])):
+                        ("list pairs.txt create_gap 0.02", ["list pairs.txt", "create_gap", "one of the two"])):
         run = check.run(text + bond(more=more) + "run 1\n", ranks=2, expect_failure=True)
         message = next((line for line in run.output.splitlines() if "ERROR" in line), "")
         check.true(more, all(word in message for word in words), message)

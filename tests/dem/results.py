@@ -62,6 +62,11 @@ def times_after_a_restart(check):
 
 
 def bad_input(check):
+    for words, said in (("", 'keyword "N" is missing'), ("0", "N 0: must be above zero"), ("nan", "N nan: is not a whole number"),
+                        (f"{EVERY} bons bonds", 'bons: unknown keyword (did you mean "bonds"?)'),
+                        (f"{EVERY} file", "file: needs 1 value"), (f"{EVERY} file a file b", "file: stands twice")):
+        run = check.run(script(f"fix out all results {words}\n"), expect_failure=True)
+        check.true(f"results {words}", said in run.output, next((l for l in run.output.splitlines() if "ERROR" in l), ""))
     for keyword, style in (("fluid", "nve/sphere"), ("bonds", "nve/sphere")):
         run = check.run(script(f"fix out all results {EVERY} {keyword} nve\n"), ranks=2, expect_failure=True)
         check.true(f"{keyword} of another style", f"{keyword} nve: is a fix {style}, must be" in run.output)

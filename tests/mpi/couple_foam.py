@@ -204,8 +204,14 @@ class Errors(Case):
         self.refused(MOVE + COUPLE + "fix g all gravity 9.81 vector 0 -1 0\nrun 10\n",
                      "fix g (gravity) comes later and changes forces", "Write fix couple/foam after it")
 
-    def test_unknown_keyword(self):
-        self.refused("fix foam all couple/foam shield bonds\n", "unknown keyword shield", "Known: shielding, history")
+    def test_wrong_words(self):
+        for words, said in (("sheilding bonds", 'sheilding: unknown keyword (did you mean "shielding"?). Known: shielding, history'),
+                            ("ramp nan", "ramp nan: is not a number"), ("ramp inf", "ramp inf: is not a number"),
+                            ("ramp -1", "ramp -1: must not be negative"), ("ramp", "ramp: needs 1 value"),
+                            ("fragment_every 0", "fragment_every 0: must be above zero"),
+                            ("fragment_every 1.5", "fragment_every 1.5: is not a whole number"),
+                            ("ramp 1 ramp 2", "ramp: stands twice")):
+            self.refused(f"fix foam all couple/foam {words}\n", said)
 
     def test_shielding_without_bonds(self):
         self.refused(MOVE + "fix foam all couple/foam shielding nobody\nrun 10\n", "no fix bond/parallel of this ID")

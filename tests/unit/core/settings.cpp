@@ -109,3 +109,27 @@ TEST(Settings, WordsOfTheOtherRefusals)
               "constant/couplingProperties: coarseGrid: must be a single value, not a sub-dictionary. "
               "Write coarseGrid <value>;.");
 }
+
+TEST(Settings, WordsOfAScript)
+{
+    Settings words("", "", Settings::Form::script);
+    words.set("inertia", "1 2 3 4 5 6");
+    words.set("lock", "x rz");
+    words.set("damping", "0.1 nan");
+    EXPECT_EQ(words.numbers("inertia"), (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(words.words("lock"), (std::vector<std::string>{"x", "rz"}));
+    EXPECT_EQ(words.notNegative("ramp", 0.5), 0.5);
+    try {
+        words.numbers("damping");
+        FAIL();
+    } catch (const InputError& wrong) {
+        EXPECT_STREQ(wrong.what(),
+                     "damping 0.1 nan: nan is not a number. Write it like 0.005 or 5e-3, in SI units.");
+    }
+    try {
+        words.number("young");
+        FAIL();
+    } catch (const InputError& wrong) {
+        EXPECT_STREQ(wrong.what(), "keyword \"young\" is missing. Add young <value>.");
+    }
+}
