@@ -49,10 +49,12 @@ void ComputeFragment::init()
 {
     const int ifix = modify->find_fix(bondFixId_.c_str());
     bonds_ = ifix < 0 ? NULL : dynamic_cast<FixBondParallel*>(modify->fix[ifix]);
-    if (bonds_) return;
+    if (bonds_)
+        return;
     std::vector<std::string> known;
     for (int n = 0; n < modify->nfix; ++n) {
-        if (dynamic_cast<FixBondParallel*>(modify->fix[n])) known.push_back(modify->fix[n]->id);
+        if (dynamic_cast<FixBondParallel*>(modify->fix[n]))
+            known.push_back(modify->fix[n]->id);
     }
     const frazil::InputError wrong("Compute fragment (id " + std::string(id) + ")", "", bondFixId_,
                                    "there is no fix bond/parallel of the ID '" + bondFixId_ + "'" +
@@ -73,12 +75,14 @@ void ComputeFragment::compute_peratom()
         vector_atom = label_;
     }
     joinBonded();
-    for (int i = 0; i < atom->nlocal + atom->nghost; ++i) label_[i] = atom->mask[i] & groupbit ? atom->tag[i] : 0;
+    for (int i = 0; i < atom->nlocal + atom->nghost; ++i)
+        label_[i] = atom->mask[i] & groupbit ? atom->tag[i] : 0;
     int changed = 1;
     while (changed) {
         const int here = lowerLabels();
         MPI_Allreduce(&here, &changed, 1, MPI_INT, MPI_MAX, world);
-        if (changed) comm->forward_comm_compute(this);
+        if (changed)
+            comm->forward_comm_compute(this);
     }
 }
 
@@ -90,14 +94,16 @@ void ComputeFragment::joinBonded()
     const frazil::BondTable& table = bonds_->bonds();
     for (std::size_t k = 0; k < table.size(); ++k) {
         const int i = table.target1[k], j = table.target2[k];
-        if (!(atom->mask[i] & groupbit) || !(atom->mask[j] & groupbit)) continue;
+        if (!(atom->mask[i] & groupbit) || !(atom->mask[j] & groupbit))
+            continue;
         parent_[rootOf(i)] = rootOf(j);
     }
 }
 
 int ComputeFragment::rootOf(int i)
 {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    while (parent_[i] != i)
+        i = parent_[i] = parent_[parent_[i]];
     return i;
 }
 
@@ -112,7 +118,8 @@ bool ComputeFragment::lowerLabels()
     bool changed = false;
     for (int i = 0; i < all; ++i) {
         const double lowest = label_[rootOf(i)];
-        if (i < atom->nlocal && lowest < label_[i]) changed = true;
+        if (i < atom->nlocal && lowest < label_[i])
+            changed = true;
         label_[i] = lowest;
     }
     return changed;
@@ -123,10 +130,12 @@ bool ComputeFragment::lowerLabels()
 void ComputeFragment::compute_vector()
 {
     invoked_vector = update->ntimestep;
-    if (invoked_peratom != update->ntimestep) compute_peratom();
+    if (invoked_peratom != update->ntimestep)
+        compute_peratom();
     double here = 0, fragments;
     for (int i = 0; i < atom->nlocal; ++i)
-        if (atom->mask[i] & groupbit && label_[i] == atom->tag[i]) here += 1;
+        if (atom->mask[i] & groupbit && label_[i] == atom->tag[i])
+            here += 1;
     MPI_Allreduce(&here, &fragments, 1, MPI_DOUBLE, MPI_SUM, world);
     vector[0] = fragments;
     const double initial = bonds_->initialVolume();
@@ -147,7 +156,8 @@ double ComputeFragment::largestVolume()
 
     const int ranks = comm->nprocs;
     std::vector<int> out(ranks), in(ranks), outStart(ranks + 1), inStart(ranks + 1);
-    for (const auto& entry : mine) out[entry.first % ranks] += sizeof(Part);
+    for (const auto& entry : mine)
+        out[entry.first % ranks] += sizeof(Part);
     MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, world);
     std::partial_sum(out.begin(), out.end(), outStart.begin() + 1);
     std::partial_sum(in.begin(), in.end(), inStart.begin() + 1);
@@ -162,9 +172,11 @@ double ComputeFragment::largestVolume()
                   MPI_BYTE, world);
 
     std::unordered_map<int, double> whole;
-    for (const Part& part : received) whole[static_cast<int>(part.label)] += part.volume;
+    for (const Part& part : received)
+        whole[static_cast<int>(part.label)] += part.volume;
     double here = 0, largest = 0;
-    for (const auto& entry : whole) here = std::max(here, entry.second);
+    for (const auto& entry : whole)
+        here = std::max(here, entry.second);
     MPI_Allreduce(&here, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
     return largest;
 }
@@ -173,10 +185,17 @@ double ComputeFragment::largestVolume()
 
 int ComputeFragment::pack_comm(int n, int* list, double* buffer, int, int*)
 {
-    for (int a = 0; a < n; ++a) buffer[a] = label_[list[a]];
+    for (int a = 0; a < n; ++a)
+        buffer[a] = label_[list[a]];
     return 1;
 }
 
-void ComputeFragment::unpack_comm(int n, int first, double* buffer) { std::copy_n(buffer, n, label_ + first); }
+void ComputeFragment::unpack_comm(int n, int first, double* buffer)
+{
+    std::copy_n(buffer, n, label_ + first);
+}
 
-double ComputeFragment::memory_usage() { return nmax_ * sizeof(double) + parent_.capacity() * sizeof(int); }
+double ComputeFragment::memory_usage()
+{
+    return nmax_ * sizeof(double) + parent_.capacity() * sizeof(int);
+}

@@ -7,20 +7,22 @@
 
 #include "Messages.h"
 
-namespace LAMMPS_NS {
+namespace LAMMPS_NS
+{
 
-class CoupledBody {
- public:
-  virtual ~CoupledBody() {}
+class CoupledBody
+{
+  public:
+    virtual ~CoupledBody() {}
 
-  // state at the current DEM step; must be the same on all ranks
-  virtual frazil::BodyState bodyState() const = 0;
+    // state at the current DEM step; must be the same on all ranks
+    virtual frazil::BodyState bodyState() const = 0;
 
-  // force [N], torque about the centre of mass [N m] and wetted fraction, held until the next call;
-  // called with the same values on all ranks, once per fluid step
-  virtual void setFluidLoad(const frazil::BodyLoad &) = 0;
+    // force [N], torque about the centre of mass [N m] and wetted fraction, held until the next call;
+    // called with the same values on all ranks, once per fluid step
+    virtual void setFluidLoad(const frazil::BodyLoad&) = 0;
 };
 
-}
+} // namespace LAMMPS_NS
 
 #endif

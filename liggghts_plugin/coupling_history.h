@@ -13,31 +13,33 @@
 #include "Messages.h"
 #include "pointers.h"
 
-namespace LAMMPS_NS {
+namespace LAMMPS_NS
+{
 
-class CouplingHistory : protected Pointers {
- public:
-  // continuedAt: fluid time of the restart [s], negative without one. A continued run goes on in its file, after
-  // the lines before this time.
-  CouplingHistory(LAMMPS *, const std::string &file, int fragmentEvery, double continuedAt);
-  ~CouplingHistory();
+class CouplingHistory : protected Pointers
+{
+  public:
+    // continuedAt: fluid time of the restart [s], negative without one. A continued run goes on in its file, after
+    // the lines before this time.
+    CouplingHistory(LAMMPS*, const std::string& file, int fragmentEvery, double continuedAt);
+    ~CouplingHistory();
 
-  // line for the exchange at the order's time; wall: seconds since the handshake; waited: seconds of them
-  // that frazilDem has waited
-  void write(const frazil::StepOrder &order, double wall, double waited);
+    // line for the exchange at the order's time; wall: seconds since the handshake; waited: seconds of them
+    // that frazilDem has waited
+    void write(const frazil::StepOrder& order, double wall, double waited);
 
- private:
-  void open(const std::string &file, double continuedAt);
-  void writeHeader();
-  std::vector<class Fix *> bodyFixes() const;
-  void countFragments(double broken);
+  private:
+    void open(const std::string& file, double continuedAt);
+    void writeHeader();
+    std::vector<class Fix*> bodyFixes() const;
+    void countFragments(double broken);
 
-  FILE *out_;
-  int fragmentEvery_;
-  long lines_, countedAt_;
-  double brokenThen_, largest_;
+    FILE* out_;
+    int fragmentEvery_;
+    long lines_, countedAt_;
+    double brokenThen_, largest_;
 };
 
-}
+} // namespace LAMMPS_NS
 
 #endif

@@ -56,13 +56,18 @@ void FixResults::readWords(int narg, char** arg)
     fragmentId_ = words.text("fragment", "");
 }
 
-int FixResults::setmask() { return FixConst::END_OF_STEP; }
+int FixResults::setmask()
+{
+    return FixConst::END_OF_STEP;
+}
 
 Fix* FixResults::findFix(const std::string& keyword, const std::string& id)
 {
-    if (id.empty()) return NULL;
+    if (id.empty())
+        return NULL;
     const int index = modify->find_fix(id.c_str());
-    if (index < 0) stop(keyword + " " + id + ": there is no fix of this ID; define it before the run");
+    if (index < 0)
+        stop(keyword + " " + id + ": there is no fix of this ID; define it before the run");
     return modify->fix[index];
 }
 
@@ -73,11 +78,14 @@ void FixResults::init()
         stop("fluid " + fluidId_ + ": is a fix " + fluid_->style + ", must be a fix couple/foam");
     Fix* bonds = findFix("bonds", bondsId_);
     bonds_ = dynamic_cast<FixBondParallel*>(bonds);
-    if (bonds && !bonds_) stop("bonds " + bondsId_ + ": is a fix " + bonds->style + ", must be a fix bond/parallel");
+    if (bonds && !bonds_)
+        stop("bonds " + bondsId_ + ": is a fix " + bonds->style + ", must be a fix bond/parallel");
 
-    if (fragmentId_.empty()) return;
+    if (fragmentId_.empty())
+        return;
     const int index = modify->find_compute(fragmentId_.c_str());
-    if (index < 0) stop("fragment " + fragmentId_ + ": there is no compute of this ID; define it before the run");
+    if (index < 0)
+        stop("fragment " + fragmentId_ + ": there is no compute of this ID; define it before the run");
     fragment_ = dynamic_cast<ComputeFragment*>(modify->compute[index]);
     if (!fragment_)
         stop("fragment " + fragmentId_ + ": is a compute " + modify->compute[index]->style +
@@ -89,8 +97,10 @@ void FixResults::setup(int)
     if (restartTime_ >= 0)
         timeBefore_ = restartTime_ - (time() - timeBefore_); // only now is the time step known
     restartTime_ = -1;
-    if (!snapshots_) openFile();
-    if (update->ntimestep % nevery == 0) write();
+    if (!snapshots_)
+        openFile();
+    if (update->ntimestep % nevery == 0)
+        write();
     announce(update->ntimestep + nevery - update->ntimestep % nevery);
 }
 
@@ -108,12 +118,17 @@ void FixResults::openFile()
 /// Next snapshot: the bond fix computes its stress only on steps for which the contacts' virial was asked for.
 void FixResults::announce(bigint step)
 {
-    if (fragment_) fragment_->addstep(step);
+    if (fragment_)
+        fragment_->addstep(step);
     const int virial = bonds_ ? modify->find_compute((bondsId_ + "_contact_virial").c_str()) : -1;
-    if (virial >= 0) modify->compute[virial]->addstep(step);
+    if (virial >= 0)
+        modify->compute[virial]->addstep(step);
 }
 
-void FixResults::end_of_step() { write(); }
+void FixResults::end_of_step()
+{
+    write();
+}
 
 /* ---------------------------------------------------------------------- */
 
@@ -133,11 +148,15 @@ void FixResults::write_restart(FILE* file)
     fwrite(&now, sizeof now, 1, file);
 }
 
-void FixResults::restart(char* buffer) { memcpy(&restartTime_, buffer, sizeof restartTime_); }
+void FixResults::restart(char* buffer)
+{
+    memcpy(&restartTime_, buffer, sizeof restartTime_);
+}
 
 void FixResults::write()
 {
-    if (update->ntimestep == writtenAt_) return;
+    if (update->ntimestep == writtenAt_)
+        return;
     writtenAt_ = update->ntimestep;
 
     gatherParticles();
@@ -148,12 +167,14 @@ void FixResults::write()
         position.push_back({atom->x[i][0], atom->x[i][1], atom->x[i][2]});
     }
     std::vector<SnapshotArray> arrays;
-    for (const Column& c : columns_) arrays.push_back({c.name, c.components, c.values.data()});
+    for (const Column& c : columns_)
+        arrays.push_back({c.name, c.components, c.values.data()});
 
     try {
         snapshots_->begin(update->ntimestep, time());
         snapshots_->particles("particles", ids, position.data(), arrays);
-        if (bonds_) writeBonds();
+        if (bonds_)
+            writeBonds();
         snapshots_->end();
     } catch (const std::exception& e) {
         stopAlone(e.what());
@@ -165,7 +186,8 @@ void FixResults::gatherParticles()
 {
     members_.clear();
     for (int i = 0; i < atom->nlocal; i++)
-        if (atom->mask[i] & groupbit) members_.push_back(i);
+        if (atom->mask[i] & groupbit)
+            members_.push_back(i);
 
     columns_.clear();
     addScalars("radius", atom->radius);
@@ -180,23 +202,27 @@ void FixResults::addVectors(const char* name, double** rows, int from)
 {
     columns_.push_back({name, 3, {}});
     std::vector<double>& values = columns_.back().values;
-    for (int i : members_) values.insert(values.end(), rows[i] + from, rows[i] + from + 3);
+    for (int i : members_)
+        values.insert(values.end(), rows[i] + from, rows[i] + from + 3);
 }
 
 void FixResults::addScalars(const char* name, const double* values)
 {
     columns_.push_back({name, 1, {}});
-    for (int i : members_) columns_.back().values.push_back(values[i]);
+    for (int i : members_)
+        columns_.back().values.push_back(values[i]);
 }
 
 void FixResults::addFluid()
 {
-    if (fluid_ && fluid_->array_atom) addVectors("fluid force", fluid_->array_atom, 0);
+    if (fluid_ && fluid_->array_atom)
+        addVectors("fluid force", fluid_->array_atom, 0);
 }
 
 void FixResults::addBonds()
 {
-    if (!bonds_ || !bonds_->array_atom) return;
+    if (!bonds_ || !bonds_->array_atom)
+        return;
     Column intact = {"intact bonds", 1, {}}, stress = {"stress", 6, {}};
     for (int i : members_) {
         const double* row = bonds_->array_atom[i];
@@ -209,8 +235,10 @@ void FixResults::addBonds()
 
 void FixResults::addFragments()
 {
-    if (!fragment_) return;
-    if (fragment_->invoked_peratom != update->ntimestep) fragment_->compute_peratom();
+    if (!fragment_)
+        return;
+    if (fragment_->invoked_peratom != update->ntimestep)
+        fragment_->compute_peratom();
     addScalars("fragment", fragment_->vector_atom);
 }
 
@@ -220,7 +248,8 @@ void FixResults::writeBonds()
     std::vector<std::array<std::int64_t, 2>> ends;
     std::vector<double> strength;
     for (std::size_t k = 0; k < table.size(); k++) {
-        if (table.target1[k] >= atom->nlocal) continue;
+        if (table.target1[k] >= atom->nlocal)
+            continue;
         ends.push_back({{table.id1[k], table.id2[k]}});
         strength.push_back(table.strength[k]);
     }

@@ -23,7 +23,7 @@ namespace LAMMPS_NS
 
 class FixResults : public Fix
 {
-public:
+  public:
     FixResults(class LAMMPS*, int, char**);
     ~FixResults();
 
@@ -34,7 +34,7 @@ public:
     void write_restart(FILE*);
     void restart(char*);
 
-private:
+  private:
     // per-particle columns of one snapshot, contiguous per array
     struct Column {
         std::string name;
@@ -42,7 +42,7 @@ private:
         std::vector<double> values;
     };
 
-    [[noreturn]] void stop(const std::string&);   // all ranks have the error
+    [[noreturn]] void stop(const std::string&);      // all ranks have the error
     [[noreturn]] void stopAlone(const std::string&); // perhaps only this one
     void readWords(int, char**);
     class Fix* findFix(const std::string& keyword, const std::string& id);

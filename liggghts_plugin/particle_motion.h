@@ -14,33 +14,35 @@
 #ifndef FRAZIL_PARTICLE_MOTION_H
 #define FRAZIL_PARTICLE_MOTION_H
 
-namespace LAMMPS_NS {
+namespace LAMMPS_NS
+{
 
-class ParticleMotion {
- public:
-  ParticleMotion() {}
+class ParticleMotion
+{
+  public:
+    ParticleMotion() {}
 
-  // throws std::runtime_error with fix and cure; the force of `last` is added at its place among the fixes
-  ParticleMotion(const class Modify &modify, const class Fix *last);
+    // throws std::runtime_error with fix and cure; the force of `last` is added at its place among the fixes
+    ParticleMotion(const class Modify& modify, const class Fix* last);
 
-  // does the force move a particle of this mask along the axis, or along all of them?
-  bool free(int mask, int axis) const { return (mask & free_[axis]) && !(mask & (prescribed_[axis] | frozen_)); }
-  bool free(int mask) const { return free(mask, 0) && free(mask, 1) && free(mask, 2); }
-  bool spins(int mask) const { return (mask & spins_) && !(mask & frozen_); }
-  // is its velocity prescribed, and not constant?
-  bool accelerates(int mask) const { return mask & accelerates_; }
-  // has a freeze already cleared its force, so that what is added now would move it?
-  bool cleared(int mask) const { return mask & cleared_; }
+    // does the force move a particle of this mask along the axis, or along all of them?
+    bool free(int mask, int axis) const { return (mask & free_[axis]) && !(mask & (prescribed_[axis] | frozen_)); }
+    bool free(int mask) const { return free(mask, 0) && free(mask, 1) && free(mask, 2); }
+    bool spins(int mask) const { return (mask & spins_) && !(mask & frozen_); }
+    // is its velocity prescribed, and not constant?
+    bool accelerates(int mask) const { return mask & accelerates_; }
+    // has a freeze already cleared its force, so that what is added now would move it?
+    bool cleared(int mask) const { return mask & cleared_; }
 
- private:
-  void add(const class Fix *fix, bool beforeLast);
-  bool addKnownIntegrator(const class Fix *fix);
-  void addMove(const class FixMove *fix);
+  private:
+    void add(const class Fix* fix, bool beforeLast);
+    bool addKnownIntegrator(const class Fix* fix);
+    void addMove(const class FixMove* fix);
 
-  int free_[3] = {0, 0, 0}, prescribed_[3] = {0, 0, 0};  // bits of groups
-  int spins_ = 0, accelerates_ = 0, frozen_ = 0, cleared_ = 0;
+    int free_[3] = {0, 0, 0}, prescribed_[3] = {0, 0, 0}; // bits of groups
+    int spins_ = 0, accelerates_ = 0, frozen_ = 0, cleared_ = 0;
 };
 
-}
+} // namespace LAMMPS_NS
 
 #endif
