@@ -2,6 +2,7 @@
 
 #include "DidYouMean.h"
 #include "InputError.h"
+#include "Sphere.h"
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -18,10 +19,8 @@
 
 using namespace LAMMPS_NS;
 
-/* ---------------------------------------------------------------------- */
-
 ComputeFragment::ComputeFragment(LAMMPS* lmp, int& iarg, int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg), bonds_(NULL), nmax_(0), label_(NULL)
+    : Compute(lmp, iarg, narg, arg), bonds_(nullptr), nmax_(0), label_(nullptr)
 {
     if (narg != iarg + 1) {
         const frazil::InputError wrong("Compute fragment (id " + std::string(id) + ")", "", "",
@@ -48,7 +47,7 @@ ComputeFragment::~ComputeFragment()
 void ComputeFragment::init()
 {
     const int ifix = modify->find_fix(bondFixId_.c_str());
-    bonds_ = ifix < 0 ? NULL : dynamic_cast<FixBondParallel*>(modify->fix[ifix]);
+    bonds_ = ifix < 0 ? nullptr : dynamic_cast<FixBondParallel*>(modify->fix[ifix]);
     if (bonds_)
         return;
     std::vector<std::string> known;
@@ -62,8 +61,6 @@ void ComputeFragment::init()
                                    "Give the ID of the bond fix");
     error->all(FLERR, wrong.what());
 }
-
-/* ---------------------------------------------------------------------- */
 
 void ComputeFragment::compute_peratom()
 {
@@ -125,8 +122,6 @@ bool ComputeFragment::lowerLabels()
     return changed;
 }
 
-/* ---------------------------------------------------------------------- */
-
 void ComputeFragment::compute_vector()
 {
     invoked_vector = update->ntimestep;
@@ -152,7 +147,7 @@ double ComputeFragment::largestVolume()
     std::unordered_map<int, double> mine;
     for (int i = 0; i < atom->nlocal; ++i)
         if (atom->mask[i] & groupbit)
-            mine[static_cast<int>(label_[i])] += 4. / 3 * M_PI * std::pow(atom->radius[i], 3);
+            mine[static_cast<int>(label_[i])] += frazil::volumeOf(atom->radius[i]);
 
     const int ranks = comm->nprocs;
     std::vector<int> out(ranks), in(ranks), outStart(ranks + 1), inStart(ranks + 1);
@@ -180,8 +175,6 @@ double ComputeFragment::largestVolume()
     MPI_Allreduce(&here, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
     return largest;
 }
-
-/* ---------------------------------------------------------------------- */
 
 int ComputeFragment::pack_comm(int n, int* list, double* buffer, int, int*)
 {

@@ -2,6 +2,10 @@
 
 #include "fix_couple_foam.h"
 
+#include "Sphere.h"
+#include "host_vector.h"
+#include "say.h"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -16,19 +20,8 @@
 #include "write_restart.h"
 
 using namespace LAMMPS_NS;
+using frazil::vec;
 using frazil::Vec3;
-
-namespace
-{
-
-Vec3 vec(const double* a)
-{
-    return {a[0], a[1], a[2]};
-}
-
-} // namespace
-
-/* ---------------------------------------------------------------------- */
 
 void FixCoupleFoam::startCoupling()
 {
@@ -38,15 +31,12 @@ void FixCoupleFoam::startCoupling()
     grid_.reset(new frazil::CoarseGrid(foam.coarse, foam.cellSize, int(foam.ranks), foam.gravity));
     if (!historyFile_.empty())
         history_.reset(new CouplingHistory(lmp, historyFile_, fragmentEvery_, restartTime_));
-    say("couple/foam: coupled with frazilFoam on " + std::to_string(foam.ranks) + " rank(s), coarse grid " +
-        std::to_string(grid_->cells()[0]) + " x " + std::to_string(grid_->cells()[1]) + " x " +
-        std::to_string(grid_->cells()[2]) + " cells\n");
+    frazil::say(*lmp, "couple/foam: coupled with frazilFoam on " + std::to_string(foam.ranks) +
+                          " rank(s), coarse grid " + std::to_string(grid_->cells()[0]) + " x " +
+                          std::to_string(grid_->cells()[1]) + " x " + std::to_string(grid_->cells()[2]) + " cells\n");
 }
 
-/* ----------------------------------------------------------------------
-   collective: equal on all ranks
-------------------------------------------------------------------------- */
-
+/// Collective: equal on all ranks.
 frazil::DemHello FixCoupleFoam::hello()
 {
     frazil::DemHello h;
@@ -58,6 +48,15 @@ frazil::DemHello FixCoupleFoam::hello()
     h.deltaT = dt_;
     h.fluidTime = restartTime_;
 
+    measureParticles(h);
+    for (const frazil::BodyState& state : statesOf(bodies_))
+        h.bodies.push_back({state.name, state.volume});
+    return h;
+}
+
+/// Number, reach and largest radius of the group's particles. Collective.
+void FixCoupleFoam::measureParticles(frazil::DemHello& h)
+{
     // lower corner, negated upper corner, negated largest radius
     double low[7] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL, 0}, lowest[7];
     for (int i = 0; i < atom->nlocal; i++) {
@@ -73,17 +72,9 @@ frazil::DemHello FixCoupleFoam::hello()
     h.reach = {vec(lowest), -vec(lowest + 3)};
     h.largestRadius = -lowest[6];
     h.particles = std::int64_t(group->count(igroup));
-    for (const CoupledBody* body : bodies_) {
-        const frazil::BodyState state = body->bodyState();
-        h.bodies.push_back({state.name, state.volume});
-    }
-    return h;
 }
 
-/* ----------------------------------------------------------------------
-   one exchange, at the end of a DEM step that reaches the fluid's time
-------------------------------------------------------------------------- */
-
+/// One exchange, at the end of a DEM step that reaches the fluid's time.
 void FixCoupleFoam::exchange()
 {
     const double start = MPI_Wtime();
@@ -93,18 +84,12 @@ void FixCoupleFoam::exchange()
         lastDeltaT_ = order_.deltaT;
     order_ = order;
     exchangeStep_ = update->ntimestep;
-    if (order.written && !restartFile_.empty()) {
-        // before the impulses are handed over: a continued fluid has not seen them either
-        std::string file = restartFile_;
-        const size_t star = file.find('*');
-        if (star != std::string::npos)
-            file.replace(star, 1, std::to_string(update->ntimestep));
-        WriteRestart(lmp).write(&file[0]);
-    }
+    if (order.written && !restartFile_.empty())
+        writeRestart(); // before the impulses are handed over: a continued fluid has not seen them either
     if (!order.finish) {
         gatherRecords();
         link_->sendParticles(records_, *grid_);
-        sendBodies();
+        link_->sendBodies(statesOf(bodies_));
         takeReplies();
         takeBodyLoads();
     }
@@ -115,15 +100,22 @@ void FixCoupleFoam::exchange()
         endRun();
 }
 
+void FixCoupleFoam::writeRestart()
+{
+    std::string file = restartFile_;
+    const std::size_t star = file.find('*');
+    if (star != std::string::npos)
+        file.replace(star, 1, std::to_string(update->ntimestep));
+    WriteRestart(lmp).write(&file[0]);
+}
+
 frazil::StepReport FixCoupleFoam::report()
 {
-    const double pi = 3.14159265358979323846;
     double mine[8] = {0, impulse_.x, impulse_.y, impulse_.z, 0, 0, 0, 0}, sum[8];
     for (int i = 0; i < atom->nlocal; i++) {
         if (!(atom->mask[i] & groupbit))
             continue;
-        const double r = atom->radius[i];
-        mine[0] += 4.0 / 3.0 * pi * r * r * r;
+        mine[0] += frazil::volumeOf(atom->radius[i]);
         mine[4] += 1;
         for (int d = 0; d < 3; d++)
             mine[5 + d] += atom->rmass[i] * atom->v[i][d];
@@ -138,10 +130,7 @@ frazil::StepReport FixCoupleFoam::report()
     return r;
 }
 
-/* ----------------------------------------------------------------------
-   both count the same steps; a drift would be a fault of one of the programs
-------------------------------------------------------------------------- */
-
+/// Both count the same steps; a drift would be a fault of one of the programs.
 void FixCoupleFoam::checkClock(const frazil::StepOrder& order)
 {
     const double expected = exchangeStep_ < 0 ? order.time : order_.time + order_.substeps * dt_;
@@ -153,10 +142,7 @@ void FixCoupleFoam::checkClock(const frazil::StepOrder& order)
         throw std::runtime_error("frazilFoam ordered a step of " + std::to_string(order.substeps) + " DEM steps");
 }
 
-/* ----------------------------------------------------------------------
-   beyond a fixed boundary: LIGGGHTS deletes the particle at its next neighbour list
-------------------------------------------------------------------------- */
-
+/// Beyond a fixed boundary: LIGGGHTS deletes the particle at its next neighbour list.
 bool FixCoupleFoam::leftBox(const double* x) const
 {
     for (int d = 0; d < 3; d++) {
@@ -172,68 +158,64 @@ void FixCoupleFoam::gatherRecords()
 {
     records_.clear();
     recordOf_.clear();
-    const int* mask = atom->mask;
     for (int i = 0; i < atom->nlocal; i++) {
-        if (!(mask[i] & groupbit))
+        if (!(atom->mask[i] & groupbit))
             continue;
         if (leftBox(atom->x[i])) {
-            carried_[i] = Carried();
+            carried_[i] = frazil::CarriedParticle();
             continue;
         }
-        // between two neighbour lists a particle may stick out of a periodic box
-        double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
-        domain->remap(x);
-        frazil::ParticleRecord r;
-        r.id = atom->tag[i];
-        r.position = vec(x);
-        r.velocity = vec(atom->v[i]);
-        r.angularVelocity = vec(atom->omega[i]);
-        r.impulse = carried_[i].impulse;
-        r.radius = atom->radius[i];
-        if (shielding_) {
-            const double* bonds = shielding_->array_atom[i]; // intact, initial
-            r.exposure = bonds[1] > 0 ? 1 - bonds[0] / bonds[1] : 1;
-        }
-        r.motion = motionOf(i);
-        records_.push_back(r);
+        records_.push_back(recordFrom(i));
         recordOf_.push_back(i);
-        carried_[i].impulse = carried_[i].others = carried_[i].path = Vec3();
+        carried_[i].clearSums();
     }
     impulse_ = Vec3();
     first_ = false;
 }
 
-// never bonded: bonds answer to a force as springs do, so that the forces of the last step say nothing of those of the
-// next; nor do those on a sphere that has broken loose and is pushed among bonded ones
+frazil::ParticleRecord FixCoupleFoam::recordFrom(int i)
+{
+    // between two neighbour lists a particle may stick out of a periodic box
+    double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
+    domain->remap(x);
+    frazil::ParticleRecord r;
+    r.id = atom->tag[i];
+    r.position = vec(x);
+    r.velocity = vec(atom->v[i]);
+    r.angularVelocity = vec(atom->omega[i]);
+    r.impulse = carried_[i].impulse;
+    r.radius = atom->radius[i];
+    if (shielding_) {
+        const double* bonds = shielding_->array_atom[i]; // intact, initial
+        r.exposure = bonds[1] > 0 ? 1 - bonds[0] / bonds[1] : 1;
+    }
+    r.motion = motionOf(i);
+    return r;
+}
+
+/// Never bonded: bonds answer to a force as springs do, so that the forces of the last step say nothing of those of the
+/// next; nor do those on a sphere that has broken loose and is pushed among bonded ones.
 bool FixCoupleFoam::isLoose(int i) const
 {
     for (const Fix* bonds : bonds_)
-        if (bonds->array_atom[i][1] > 0)
-            return false; // initial bonds
+        if (bonds->array_atom[i][1] > 0) // initial bonds
+            return false;
     return true;
 }
 
-/* ----------------------------------------------------------------------
-   how the particle moved over the fluid step that ends, for the prediction of its answer to the pressure. The pressure
-   that acts now was made by the step that ends, from the volume that moved in the step before; so its acceleration is
-   the difference of the two mean velocities before the last
-------------------------------------------------------------------------- */
-
+/// How the particle moved over the fluid step that ends, for the prediction of its answer to the pressure.
 frazil::ParticleMotion FixCoupleFoam::motionOf(int i)
 {
-    Carried& p = carried_[i];
+    frazil::CarriedParticle& p = carried_[i];
     frazil::ParticleMotion motion;
-    motion.mass = motion_.free(atom->mask[i]) && isLoose(i) ? atom->rmass[i] : 0;
-    motion.displacing = p.age < ramp_ ? p.age / ramp_ : 1;
+    motion.mass = drive_.free(atom->mask[i]) && isLoose(i) ? atom->rmass[i] : 0;
+    motion.displacing = p.displacing(ramp_);
     if (first_ || p.age == 0) {
         p.speed[0] = p.speed[1] = vec(atom->v[i]);
         if (first_)
             motion.otherForce = vec(atom->f[i]); // a set-up has just summed them
     } else {
-        motion.otherForce = p.others / lastDeltaT_;
-        motion.reference = (p.speed[0] - p.speed[1]) / lastDeltaT_;
-        p.speed[1] = p.speed[0];
-        p.speed[0] = p.path / lastDeltaT_;
+        p.endStep(lastDeltaT_, motion);
     }
     p.age += order_.deltaT;
     return motion;
@@ -242,45 +224,14 @@ frazil::ParticleMotion FixCoupleFoam::motionOf(int i)
 void FixCoupleFoam::takeReplies()
 {
     link_->receiveReplies(replies_);
-    for (size_t k = 0; k < replies_.size(); k++)
+    for (std::size_t k = 0; k < replies_.size(); k++)
         carried_[recordOf_[k]].fluid = replies_[k];
 }
 
-void FixCoupleFoam::sendBodies()
-{
-    std::vector<frazil::BodyState> states;
-    for (const CoupledBody* body : bodies_)
-        states.push_back(body->bodyState());
-    link_->sendBodies(states);
-}
-
+/// None yet: bodies keep the load of their restart file, or start without one.
 void FixCoupleFoam::takeBodyLoads()
 {
     const std::vector<frazil::BodyLoad> loads = link_->receiveBodyLoads();
-    // none yet: bodies keep the load of their restart file, or start without one
-    if (loads.empty())
-        return;
-    for (const frazil::BodyLoad& load : loads)
-        requireBody(load.name);
-    for (CoupledBody* body : bodies_)
-        body->setFluidLoad(loadOf(body->bodyState().name, loads));
-}
-
-// the handshake has compared the names already; these two keep a body from another's load whatever happened since
-void FixCoupleFoam::requireBody(const std::string& name) const
-{
-    for (const CoupledBody* body : bodies_)
-        if (name == body->bodyState().name)
-            return;
-    throw std::runtime_error("frazilFoam sent the load of a body " + name + ", which the script does not have (fix " +
-                             "body/rigid of this ID). Was it removed after the coupling had started? Keep it");
-}
-
-const frazil::BodyLoad& FixCoupleFoam::loadOf(const std::string& name, const std::vector<frazil::BodyLoad>& loads) const
-{
-    for (const frazil::BodyLoad& load : loads)
-        if (name == load.name)
-            return load;
-    throw std::runtime_error("frazilFoam sent no load of the body " + name + " (fix body/rigid of this ID). Was it " +
-                             "added after the coupling had started? Define all bodies before the first run");
+    if (!loads.empty())
+        setLoads(bodies_, loads);
 }

@@ -30,10 +30,10 @@ void FixCoupleFoam::copy_arrays(int i, int j, int)
     memcpy(array_atom[j], array_atom[i], FORCES * sizeof(double));
 }
 
-// a particle inserted during a fluid step feels the fluid from the next exchange on; those of the start are old
+/// A particle inserted during a fluid step feels the fluid from the next exchange on; those of the start are old
 void FixCoupleFoam::set_arrays(int i)
 {
-    carried_[i] = Carried();
+    carried_[i] = frazil::CarriedParticle();
     if (exchangeStep_ < 0)
         carried_[i].age = HUGE_VAL;
     memset(array_atom[i], 0, FORCES * sizeof(double));
@@ -41,22 +41,19 @@ void FixCoupleFoam::set_arrays(int i)
 
 int FixCoupleFoam::pack_exchange(int i, double* buf)
 {
-    memcpy(buf, &carried_[i], sizeof(Carried));
+    memcpy(buf, &carried_[i], sizeof(frazil::CarriedParticle));
     memcpy(buf + CARRIED, array_atom[i], FORCES * sizeof(double));
     return CARRIED + FORCES;
 }
 
 int FixCoupleFoam::unpack_exchange(int i, double* buf)
 {
-    memcpy(static_cast<void*>(&carried_[i]), buf, sizeof(Carried));
+    memcpy(static_cast<void*>(&carried_[i]), buf, sizeof(frazil::CarriedParticle));
     memcpy(array_atom[i], buf + CARRIED, FORCES * sizeof(double));
     return CARRIED + FORCES;
 }
 
-/* ----------------------------------------------------------------------
-   restart: the fluid time, the fluid step that has just ended, and per particle the same as in an exchange
-------------------------------------------------------------------------- */
-
+/// Restart: the fluid time, the fluid step that has just ended, and per particle the same as in an exchange.
 void FixCoupleFoam::write_restart(FILE* fp)
 {
     const double state[2] = {fluidTimeNow(), lastDeltaT_};

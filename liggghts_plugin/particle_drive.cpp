@@ -1,4 +1,4 @@
-#include "particle_motion.h"
+#include "particle_drive.h"
 
 #include <array>
 #include <cstring>
@@ -82,7 +82,7 @@ template struct PrivateMember<OwnAddedMass, &FixNVESphere::useAM_>;
 
 } // namespace
 
-ParticleMotion::ParticleMotion(const Modify& modify, const Fix* last)
+ParticleDrive::ParticleDrive(const Modify& modify, const Fix* last)
 {
     bool before = true;
     for (int i = 0; i < modify.nfix; i++) {
@@ -92,7 +92,7 @@ ParticleMotion::ParticleMotion(const Modify& modify, const Fix* last)
     }
 }
 
-void ParticleMotion::add(const Fix* fix, bool beforeLast)
+void ParticleDrive::add(const Fix* fix, bool beforeLast)
 {
     if (!strncmp(fix->style, "multisphere", 11) || !strncmp(fix->style, "rigid", 5))
         refuse(fix, "moves clumps of spheres, which cannot be coupled. Bond the spheres with fix bond/parallel");
@@ -111,7 +111,7 @@ void ParticleMotion::add(const Fix* fix, bool beforeLast)
                     "(prescribed). Use one of these");
 }
 
-bool ParticleMotion::addKnownIntegrator(const Fix* fix)
+bool ParticleDrive::addKnownIntegrator(const Fix* fix)
 {
     for (const auto& known : knownIntegrators) {
         if (strcmp(fix->style, known.style))
@@ -130,7 +130,7 @@ bool ParticleMotion::addKnownIntegrator(const Fix* fix)
     return false;
 }
 
-void ParticleMotion::addMove(const FixMove* fix)
+void ParticleDrive::addMove(const FixMove* fix)
 {
     for (int axis = 0; axis < 3; axis++) {
         (prescribes(*fix, axis) ? prescribed_ : free_)[axis] |= fix->groupbit;

@@ -11,19 +11,19 @@
    the added-mass force of an acceleration that it does not have.
    Cost: a few bit operations per particle and question. Parallel: the same on all ranks. */
 
-#ifndef FRAZIL_PARTICLE_MOTION_H
-#define FRAZIL_PARTICLE_MOTION_H
+#ifndef FRAZIL_PARTICLE_DRIVE_H
+#define FRAZIL_PARTICLE_DRIVE_H
 
 namespace LAMMPS_NS
 {
 
-class ParticleMotion
+class ParticleDrive
 {
   public:
-    ParticleMotion() {}
+    ParticleDrive() {}
 
     // throws std::runtime_error with fix and cure; the force of `last` is added at its place among the fixes
-    ParticleMotion(const class Modify& modify, const class Fix* last);
+    ParticleDrive(const class Modify& modify, const class Fix* last);
 
     // does the force move a particle of this mask along the axis, or along all of them?
     bool free(int mask, int axis) const { return (mask & free_[axis]) && !(mask & (prescribed_[axis] | frozen_)); }
