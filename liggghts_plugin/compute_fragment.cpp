@@ -2,6 +2,7 @@
 
 #include "DidYouMean.h"
 #include "InputError.h"
+#include "Sphere.h"
 #include "atom.h"
 #include "comm.h"
 #include "error.h"
@@ -18,10 +19,8 @@
 
 using namespace LAMMPS_NS;
 
-/* ---------------------------------------------------------------------- */
-
 ComputeFragment::ComputeFragment(LAMMPS* lmp, int& iarg, int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg), bonds_(NULL), nmax_(0), label_(NULL)
+    : Compute(lmp, iarg, narg, arg), bonds_(nullptr), nmax_(0), label_(nullptr)
 {
     if (narg != iarg + 1) {
         const frazil::InputError wrong("Compute fragment (id " + std::string(id) + ")", "", "",
@@ -48,11 +47,13 @@ ComputeFragment::~ComputeFragment()
 void ComputeFragment::init()
 {
     const int ifix = modify->find_fix(bondFixId_.c_str());
-    bonds_ = ifix < 0 ? NULL : dynamic_cast<FixBondParallel*>(modify->fix[ifix]);
-    if (bonds_) return;
+    bonds_ = ifix < 0 ? nullptr : dynamic_cast<FixBondParallel*>(modify->fix[ifix]);
+    if (bonds_)
+        return;
     std::vector<std::string> known;
     for (int n = 0; n < modify->nfix; ++n) {
-        if (dynamic_cast<FixBondParallel*>(modify->fix[n])) known.push_back(modify->fix[n]->id);
+        if (dynamic_cast<FixBondParallel*>(modify->fix[n]))
+            known.push_back(modify->fix[n]->id);
     }
     const frazil::InputError wrong("Compute fragment (id " + std::string(id) + ")", "", bondFixId_,
                                    "there is no fix bond/parallel of the ID '" + bondFixId_ + "'" +
@@ -60,8 +61,6 @@ void ComputeFragment::init()
                                    "Give the ID of the bond fix");
     error->all(FLERR, wrong.what());
 }
-
-/* ---------------------------------------------------------------------- */
 
 void ComputeFragment::compute_peratom()
 {
@@ -73,12 +72,14 @@ void ComputeFragment::compute_peratom()
         vector_atom = label_;
     }
     joinBonded();
-    for (int i = 0; i < atom->nlocal + atom->nghost; ++i) label_[i] = atom->mask[i] & groupbit ? atom->tag[i] : 0;
+    for (int i = 0; i < atom->nlocal + atom->nghost; ++i)
+        label_[i] = atom->mask[i] & groupbit ? atom->tag[i] : 0;
     int changed = 1;
     while (changed) {
         const int here = lowerLabels();
         MPI_Allreduce(&here, &changed, 1, MPI_INT, MPI_MAX, world);
-        if (changed) comm->forward_comm_compute(this);
+        if (changed)
+            comm->forward_comm_compute(this);
     }
 }
 
@@ -90,14 +91,16 @@ void ComputeFragment::joinBonded()
     const frazil::BondTable& table = bonds_->bonds();
     for (std::size_t k = 0; k < table.size(); ++k) {
         const int i = table.target1[k], j = table.target2[k];
-        if (!(atom->mask[i] & groupbit) || !(atom->mask[j] & groupbit)) continue;
+        if (!(atom->mask[i] & groupbit) || !(atom->mask[j] & groupbit))
+            continue;
         parent_[rootOf(i)] = rootOf(j);
     }
 }
 
 int ComputeFragment::rootOf(int i)
 {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    while (parent_[i] != i)
+        i = parent_[i] = parent_[parent_[i]];
     return i;
 }
 
@@ -112,21 +115,22 @@ bool ComputeFragment::lowerLabels()
     bool changed = false;
     for (int i = 0; i < all; ++i) {
         const double lowest = label_[rootOf(i)];
-        if (i < atom->nlocal && lowest < label_[i]) changed = true;
+        if (i < atom->nlocal && lowest < label_[i])
+            changed = true;
         label_[i] = lowest;
     }
     return changed;
 }
 
-/* ---------------------------------------------------------------------- */
-
 void ComputeFragment::compute_vector()
 {
     invoked_vector = update->ntimestep;
-    if (invoked_peratom != update->ntimestep) compute_peratom();
+    if (invoked_peratom != update->ntimestep)
+        compute_peratom();
     double here = 0, fragments;
     for (int i = 0; i < atom->nlocal; ++i)
-        if (atom->mask[i] & groupbit && label_[i] == atom->tag[i]) here += 1;
+        if (atom->mask[i] & groupbit && label_[i] == atom->tag[i])
+            here += 1;
     MPI_Allreduce(&here, &fragments, 1, MPI_DOUBLE, MPI_SUM, world);
     vector[0] = fragments;
     const double initial = bonds_->initialVolume();
@@ -143,11 +147,12 @@ double ComputeFragment::largestVolume()
     std::unordered_map<int, double> mine;
     for (int i = 0; i < atom->nlocal; ++i)
         if (atom->mask[i] & groupbit)
-            mine[static_cast<int>(label_[i])] += 4. / 3 * M_PI * std::pow(atom->radius[i], 3);
+            mine[static_cast<int>(label_[i])] += frazil::volumeOf(atom->radius[i]);
 
     const int ranks = comm->nprocs;
     std::vector<int> out(ranks), in(ranks), outStart(ranks + 1), inStart(ranks + 1);
-    for (const auto& entry : mine) out[entry.first % ranks] += sizeof(Part);
+    for (const auto& entry : mine)
+        out[entry.first % ranks] += sizeof(Part);
     MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, world);
     std::partial_sum(out.begin(), out.end(), outStart.begin() + 1);
     std::partial_sum(in.begin(), in.end(), inStart.begin() + 1);
@@ -162,21 +167,28 @@ double ComputeFragment::largestVolume()
                   MPI_BYTE, world);
 
     std::unordered_map<int, double> whole;
-    for (const Part& part : received) whole[static_cast<int>(part.label)] += part.volume;
+    for (const Part& part : received)
+        whole[static_cast<int>(part.label)] += part.volume;
     double here = 0, largest = 0;
-    for (const auto& entry : whole) here = std::max(here, entry.second);
+    for (const auto& entry : whole)
+        here = std::max(here, entry.second);
     MPI_Allreduce(&here, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
     return largest;
 }
 
-/* ---------------------------------------------------------------------- */
-
 int ComputeFragment::pack_comm(int n, int* list, double* buffer, int, int*)
 {
-    for (int a = 0; a < n; ++a) buffer[a] = label_[list[a]];
+    for (int a = 0; a < n; ++a)
+        buffer[a] = label_[list[a]];
     return 1;
 }
 
-void ComputeFragment::unpack_comm(int n, int first, double* buffer) { std::copy_n(buffer, n, label_ + first); }
+void ComputeFragment::unpack_comm(int n, int first, double* buffer)
+{
+    std::copy_n(buffer, n, label_ + first);
+}
 
-double ComputeFragment::memory_usage() { return nmax_ * sizeof(double) + parent_.capacity() * sizeof(int); }
+double ComputeFragment::memory_usage()
+{
+    return nmax_ * sizeof(double) + parent_.capacity() * sizeof(int);
+}

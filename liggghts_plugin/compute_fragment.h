@@ -21,7 +21,7 @@ namespace LAMMPS_NS
 
 class ComputeFragment : public Compute
 {
-public:
+  public:
     ComputeFragment(class LAMMPS*, int&, int, char**);
     ~ComputeFragment();
 
@@ -32,7 +32,7 @@ public:
     void unpack_comm(int, int, double*);
     double memory_usage();
 
-private:
+  private:
     void joinBonded();
     int rootOf(int);
     bool lowerLabels();

@@ -7,20 +7,30 @@
 
 #include "Messages.h"
 
-namespace LAMMPS_NS {
+#include <vector>
 
-class CoupledBody {
- public:
-  virtual ~CoupledBody() {}
+namespace LAMMPS_NS
+{
 
-  // state at the current DEM step; must be the same on all ranks
-  virtual frazil::BodyState bodyState() const = 0;
+class CoupledBody
+{
+  public:
+    virtual ~CoupledBody() {}
 
-  // force [N], torque about the centre of mass [N m] and wetted fraction, held until the next call;
-  // called with the same values on all ranks, once per fluid step
-  virtual void setFluidLoad(const frazil::BodyLoad &) = 0;
+    /// State at the current DEM step; must be the same on all ranks
+    virtual frazil::BodyState bodyState() const = 0;
+
+    /// Force [N], torque about the centre of mass [N m] and wetted fraction, held until the next call;
+    /// called with the same values on all ranks, once per fluid step
+    virtual void setFluidLoad(const frazil::BodyLoad&) = 0;
 };
 
-}
+std::vector<frazil::BodyState> statesOf(const std::vector<CoupledBody*>& bodies);
+
+/// Gives each body its load, by name, whatever their order. std::runtime_error on a load without a body and the other way
+/// round: the handshake has compared the names, but fixes may come and go between runs.
+void setLoads(const std::vector<CoupledBody*>& bodies, const std::vector<frazil::BodyLoad>& loads);
+
+} // namespace LAMMPS_NS
 
 #endif

@@ -1,5 +1,5 @@
 /* fix ID all body/rigid: a closed surface mesh that moves as a rigid body with six degrees of freedom under
-   contact with particles, gravity and the load of the fluid.
+   contact with particles, gravity and the load of the fluid. Documentation: doc/fix_body_rigid.md.
 
    Equations and integration: RigidMotion.h. Order within one DEM step:
      initial_integrate  half kick with the old forces; pose advances; mesh nodes, node velocities "v" (those of the
@@ -15,63 +15,59 @@
 #ifndef LMP_FIX_BODY_RIGID_H
 #define LMP_FIX_BODY_RIGID_H
 
-#include <string>
-
-#include "ClosedSurface.h"
+#include "body_mesh.h"
 #include "coupled_body.h"
 #include "fix.h"
-#include "RigidMotion.h"
 
-namespace LAMMPS_NS {
+#include <memory>
+#include <string>
 
-class FixBodyRigid : public Fix, public CoupledBody {
- public:
-  FixBodyRigid(class LAMMPS *, int, char **);
-  ~FixBodyRigid() override;
+namespace frazil
+{
+struct BodyOptions;
+}
 
-  int setmask() override;
-  void post_create() override;
-  void pre_delete(bool unfixflag) override;
-  void init() override;
-  void setup_pre_force(int) override;
-  void initial_integrate(int) override;
-  void final_integrate() override;
+namespace LAMMPS_NS
+{
 
-  double compute_vector(int) override;
-  void write_restart(FILE *) override;
-  void restart(char *) override;
+class FixBodyRigid : public Fix, public CoupledBody
+{
+  public:
+    FixBodyRigid(class LAMMPS*, int, char**);
 
-  frazil::BodyState bodyState() const override;
-  void setFluidLoad(const frazil::BodyLoad &) override;
+    int setmask() override;
+    void post_create() override;
+    void pre_delete(bool unfixflag) override;
+    void init() override;
+    void setup_pre_force(int) override;
+    void initial_integrate(int) override;
+    void final_integrate() override;
 
- private:
-  struct Options;
-  Options readWords(int, char **);
+    double compute_vector(int) override;
+    void write_restart(FILE*) override;
+    void restart(char*) override;
 
-  void fail(const std::string &problem);
-  void findMesh(const std::string &meshId);
-  void setMass(const Options &);
-  std::vector<frazil::Triangle> triangles();
-  void moveMesh(const frazil::RigidMotion::Step &);
-  void setNodeVelocities();
-  void setReferencePoint();
-  void takeContactForce(bool sumOverRanks);
-  void kick(double dt);
+    frazil::BodyState bodyState() const override;
+    void setFluidLoad(const frazil::BodyLoad&) override;
 
-  std::string meshId_;
-  class FixMeshSurface *fixMesh_;
-  class TriMesh *mesh_;
-  class MeshModuleStress *stress_;
-  class FixGravity *gravity_;
+  private:
+    struct RestartState;
 
-  frazil::RigidMotion motion_;
-  frazil::Vec3 centroidOffset_;  // centroid of the surface minus centre of mass, orientation of the start [m]
-  double volume_;                // of the surface [m3]
-  frazil::Vec3 contactForce_, contactTorque_;
-  frazil::BodyLoad fluid_;
-  bool contactIsLocal_;          // set-up computed the contacts, but nobody has summed them over the ranks yet
+    [[noreturn]] void fail(const std::string& problem);
+    void create(const frazil::BodyOptions&);
+    void kick(double dt);
+
+    std::unique_ptr<BodyMesh> mesh_;
+    class FixGravity* gravity_ = nullptr;
+
+    frazil::RigidMotion motion_;
+    frazil::Vec3 centroidOffset_; // centroid of the surface minus centre of mass, orientation of the start [m]
+    double volume_ = 0;           // of the surface [m3]
+    BodyMesh::Load contact_;
+    frazil::BodyLoad fluid_;
+    bool contactIsLocal_ = false; // set-up computed the contacts, but nobody has summed them over the ranks yet
 };
 
-}
+} // namespace LAMMPS_NS
 
 #endif

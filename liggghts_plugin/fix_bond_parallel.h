@@ -1,28 +1,27 @@
-/* fix ID group bond/parallel: breakable parallel bonds between spheres (law and equations: parallel_bond.h).
+/* fix ID group bond/parallel: breakable parallel bonds between spheres. Documentation: doc/fix_bond_parallel.md.
 
-   Algorithm, per step: Cayley vector of each sphere's rotation; then per block of bonds gather positions and
-   rotations, advance the law, break what exceeds its strength, scatter forces and torques to both spheres.
-   Cost: one pass over contiguous columns; local indices are cached between reneighbourings (bond_table.h).
+   The bonds themselves (law, step, results, frequency) are in bonds/, without LIGGGHTS; this class gives them the host's
+   spheres, messages and files. State rests with the particles (BondStore) whenever they migrate or are written to a restart
+   file, and in a table (BondTable) between.
+   Cost: one pass over the table per step (bond_step.h); local indices are cached between reneighbourings.
    Parallel: a bond across ranks is advanced on both, from identical data in the order lower id -> higher id, so both
    ranks break it in the same step; each keeps the force on its own sphere. No message per step beyond the host's own
-   update of ghosts (position, velocity, spin). `newton` on or off makes no difference.
-   State rests with the particles (BondStore) whenever they migrate or are written to a restart file. */
+   update of ghosts (position, velocity, spin). `newton` on or off makes no difference. */
 
 #ifndef LMP_FIX_BOND_PARALLEL_H
 #define LMP_FIX_BOND_PARALLEL_H
 
-#include "Settings.h"
+#include "bond_options.h"
+#include "bond_results.h"
+#include "bond_step.h"
 #include "bond_table.h"
 #include "fix.h"
 #include "read_bond_list.h"
+#include "run_clock.h"
 
+#include <memory>
 #include <string>
 #include <vector>
-
-namespace frazil
-{
-struct BondBlock;
-}
 
 namespace LAMMPS_NS
 {
@@ -31,39 +30,39 @@ class FixBondParallel : public Fix
 {
   public:
     FixBondParallel(class LAMMPS*, int, char**);
-    ~FixBondParallel();
+    ~FixBondParallel() override;
 
-    int setmask();
-    void post_create();
-    void pre_delete(bool);
-    void init();
-    void init_list(int, class NeighList*);
-    void setup_pre_exchange();
-    void setup_pre_neighbor();
-    void setup(int);
-    void pre_exchange();
-    void pre_neighbor();
-    void post_force(int);
-    void end_of_step();
-    void post_run();
+    int setmask() override;
+    void post_create() override;
+    void pre_delete(bool) override;
+    void init() override;
+    void init_list(int, class NeighList*) override;
+    void setup_pre_exchange() override;
+    void setup_pre_neighbor() override;
+    void setup(int) override;
+    void pre_exchange() override;
+    void pre_neighbor() override;
+    void post_force(int) override;
+    void end_of_step() override;
+    void post_run() override;
 
-    double compute_vector(int);
-    double memory_usage();
+    double compute_vector(int) override;
+    double memory_usage() override;
 
-    void grow_arrays(int);
-    void copy_arrays(int, int, int);
-    void set_arrays(int);
-    int pack_exchange(int, double*);
-    int unpack_exchange(int, double*);
-    int pack_restart(int, double*);
-    void unpack_restart(int, int);
-    int size_restart(int);
-    int maxsize_restart();
-    void write_restart(FILE*);
-    void restart(char*);
+    void grow_arrays(int) override;
+    void copy_arrays(int, int, int) override;
+    void set_arrays(int) override;
+    int pack_exchange(int, double*) override;
+    int unpack_exchange(int, double*) override;
+    int pack_restart(int, double*) override;
+    void unpack_restart(int, int) override;
+    int size_restart(int) override;
+    int maxsize_restart() override;
+    void write_restart(FILE*) override;
+    void restart(char*) override;
 
-    int pack_comm(int, int*, double*, int, int*);
-    void unpack_comm(int, int, double*);
+    int pack_comm(int, int*, double*, int, int*) override;
+    void unpack_comm(int, int, double*) override;
 
     /// The bonds with at least one owned sphere, with current local indices.
     const frazil::BondTable& bonds() const { return table_; }
@@ -71,35 +70,27 @@ class FixBondParallel : public Fix
     double initialVolume() const { return initialVolume_; }
 
   private:
-    struct Event {
-        double time; // [s]
-        int id1, id2, shear;
-        double x, y, z;    // bond centre [m]
-        double sigma, tau; // [Pa]
-    };
     enum Count { INTACT, TENSION, SHEAR, COUNTS };
     enum Total { ELASTIC, DAMPED, RELEASED, TOTALS };
 
     // fix_bond_parallel.cpp: input and the step
-    void parse(const frazil::Settings&);
-    void parseWeibull(const frazil::Settings&);
-    void parseDamping(const frazil::Settings&);
-    void say(const std::string&) const;
+    static frazil::BondOptions optionsFrom(int, char**, class Error&, Fix*);
+    void declareResults();
     void evaluate(int);
-    void evaluateBlock(std::size_t, double);
-    void gather(frazil::BondBlock&, std::size_t);
-    void dampAtRest(frazil::BondBlock&, std::size_t);
-    void scatter(frazil::BondBlock&, std::size_t, double);
-    void breakBonds(frazil::BondBlock&, std::size_t);
-    double time() const;
-    void breakBond(std::size_t, const frazil::BondUse&);
+    void noteBroken(const frazil::BrokenBond&);
+    void say(const std::string&) const;
 
     // fix_bond_parallel_create.cpp: creation
     void create();
+    void startFromRest();
+    void countInitial();
     void bondNeighbours();
+    void bondIfNear(int, int);
     void bondFrom(int, int);
     void checkReach();
+    std::string noPairInReach(double) const;
     void bondListed();
+    frazil::BondList listedBonds();
     void checkListed(const frazil::BondList&);
     std::size_t addBond(int, int, int, int);
     void completeShape(std::size_t);
@@ -107,7 +98,9 @@ class FixBondParallel : public Fix
     // fix_bond_parallel_state.cpp: migration, restart
     void store();
     void load();
+    void loadHalf(int, const frazil::BondHalf&, std::vector<int>&);
     void dropMissing(const std::vector<int>&, bool);
+    void refuseFar(const std::vector<int>&);
     void countLost();
     void countBonds();
     int largestCount() const;
@@ -119,54 +112,46 @@ class FixBondParallel : public Fix
     void stressArray();
     void scheduleStress(bigint);
     void flushEvents();
-    bool writeEvents(std::vector<Event>&);
+    std::vector<frazil::BondEvent> gatherEvents();
+    bool writeNew(std::vector<frazil::BondEvent>);
 
     // fix_bond_parallel_timestep.cpp: critical time step
     void checkTimeStep();
-    double largestDashpotTime();
+    double largestBondFrequency();
+    double largestOfDashpots();
     double contactFrequencySquared();
     double presentContacts(const double*, const double*) const;
     double newContact(const double*, const double*, double) const;
     double greatestSpeed() const;
-    double largestFrequency();
-    double inertia(int, int) const;
-    double massProduct(const std::vector<double>&, const std::vector<double>&);
-    void stiffnessTimes(std::vector<double>&);
 
-    frazil::BondMaterial material_;
-    double radiusFactor_, createGap_;
-    double weibullModulus_; // 0: no scatter
-    int weibullSeed_;
-    std::string eventsFile_, listFile_;
-    double smallestGap_, largestReach_; // of this rank's neighbours: in mean radii; [m]
+    frazil::BondOptions options_;
+    double smallestGap_ = 0, largestReach_ = 0; // of this rank's neighbours: in mean radii; [m]
 
     frazil::BondTable table_;
     frazil::BondStore store_;
-    bool tableNewer_; // the table holds the state; otherwise the store does
-    int owned_;       // owned spheres when the table was made
-    bool created_, restarted_;
-    class NeighList* list_;
+    frazil::BondStep step_;
+    bool tableNewer_ = false; // the table holds the state; otherwise the store does
+    int owned_ = 0;           // owned spheres when the table was made
+    bool created_ = false, restarted_ = false;
+    class NeighList* list_ = nullptr;
 
-    std::vector<frazil::Vec3> turns_; // Cayley vector per owned and ghost sphere
-    std::vector<std::size_t> broken_; // rows to remove after the step
-    std::vector<Event> events_;       // not written yet
-    bool eventsOpened_;
+    std::vector<frazil::BondEvent> events_; // not written yet
+    bool eventsOpened_ = false;
 
-    bigint initialBonds_, lostBonds_;    // of all ranks
-    double initialVolume_;               // [m3], of all ranks
-    double brokenTension_, brokenShear_; // of this rank
-    double damped_, released_;           // [J], of this rank
-    double counts_[COUNTS];              // of all ranks, at evaluation countsAt_
-    double totals_[TOTALS], use_[2];     // of all ranks, at evaluation totalsAt_
-    bigint evaluations_, countsAt_, totalsAt_;
-    bigint nextStress_; // step for which the contacts' per-atom virial is announced
+    bigint initialBonds_ = 0, lostBonds_ = 0;    // of all ranks
+    double initialVolume_ = 0;                   // [m3], of all ranks
+    double brokenTension_ = 0, brokenShear_ = 0; // of this rank
+    double released_ = 0;                        // [J], of this rank
+    double counts_[COUNTS];                      // of all ranks, at evaluation countsAt_
+    double totals_[TOTALS], use_[2];             // of all ranks, at evaluation totalsAt_
+    bigint evaluations_ = 0, countsAt_ = -1, totalsAt_ = -1;
+    bigint nextStress_ = -1; // step for which the contacts' per-atom virial is announced
 
-    double timeBefore_;             // what the host's clock forgot at a restart [s]
-    double restartTime_;            // of the restart file, until the first run knows the time step; otherwise -1 [s]
-    double frequency_;              // largest of the bonds when they were created or read [rad/s]; 0: not known
-    double dashpotTime_;            // largest dashpot over spring of the bonds then [s]
-    std::vector<double> vibration_; // six per owned and ghost sphere, while frequency_ is sought
-    char* stressId_;                // compute that asks the pair style for its per-atom virial
+    frazil::RunClock clock_;
+    double frequency_ = 0;   // largest of the bonds when they were created or read [rad/s]; 0: not known
+    double dashpotTime_ = 0; // largest dashpot over spring of the bonds then [s]
+    std::vector<double>* vibration_ = nullptr; // six per owned and ghost sphere, while frequency_ is sought
+    std::string stressId_; // compute that asks the pair style for its per-atom virial; empty: the user's
 };
 
 } // namespace LAMMPS_NS

@@ -2,13 +2,16 @@
 
 #include "fix_bond_parallel.h"
 
+#include "Sphere.h"
+#include "bond_shape.h"
+#include "host_vector.h"
+
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "neigh_list.h"
 #include "neighbor.h"
-#include "read_bond_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,21 +20,63 @@
 using namespace LAMMPS_NS;
 using namespace frazil;
 
+namespace
+{
+
+/// What is wrong with a line of the list of bonds.
+struct ListFault {
+    enum Kind { NONE, FAR, OUTSIDE, UNKNOWN };
+    int line = std::numeric_limits<int>::max();
+    int kind = NONE;
+
+    void blame(int itsLine, Kind itsKind)
+    {
+        if (itsLine < line)
+            *this = {itsLine, itsKind};
+    }
+
+    std::string describe(const std::string& file, const BondList& pairs) const
+    {
+        static const char* const texts[] = {
+            "", "lie so far apart that no rank sees both; cure: 'communicate single vel yes cutoff <m>'",
+            "are not both in the fix's group; cure: a group that holds them, or another list",
+            "do not both exist; cure: the ids of the data file, and spheres that exist before the first run"};
+        const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const ListedBond& p) { return p.line == line; });
+        return "list " + file + ", line " + std::to_string(line) + ": the spheres " + std::to_string(at->id1) +
+               " and " + std::to_string(at->id2) + " " + texts[kind];
+    }
+};
+
+} // namespace
+
 void FixBondParallel::create()
 {
-    if (listFile_.empty())
+    if (options_.listFile.empty())
         bondNeighbours();
     else
         bondListed();
+    startFromRest();
+    countInitial();
+    if (options_.listFile.empty())
+        checkReach();
+    say(std::to_string(initialBonds_) + " bonds created");
+}
+
+/// The bonds' rest lengths are the distances of now.
+void FixBondParallel::startFromRest()
+{
     for (std::size_t k = 0; k < table_.size(); ++k) {
-        const double *x1 = atom->x[table_.at1[k]], *x2 = atom->x[table_.at2[k]];
-        const Vec3 d{x2[0] - x1[0], x2[1] - x1[1], x2[2] - x1[2]};
+        const Vec3 d = vec(atom->x[table_.at2[k]]) - vec(atom->x[table_.at1[k]]);
         table_.restLength[k] = norm(d);
         for (int axis = 0; axis < 3; ++axis)
             table_.state[BondTable::separation + axis][k] = d[axis];
         completeShape(k);
     }
     created_ = tableNewer_ = true;
+}
+
+void FixBondParallel::countInitial()
+{
     owned_ = atom->nlocal;
     for (int i = 0; i < owned_; ++i)
         store_.owners[i].self = atom->tag[i];
@@ -41,14 +86,11 @@ void FixBondParallel::create()
         store_.owners[i].initial = static_cast<int>(array_atom[i][0]);
         array_atom[i][1] = array_atom[i][0];
         if (atom->mask[i] & groupbit)
-            volume += 4. / 3 * M_PI * std::pow(atom->radius[i], 3);
+            volume += volumeOf(atom->radius[i]);
     }
     MPI_Allreduce(&volume, &initialVolume_, 1, MPI_DOUBLE, MPI_SUM, world);
     reduceCounts();
     initialBonds_ = static_cast<bigint>(counts_[INTACT]);
-    if (listFile_.empty())
-        checkReach();
-    say(std::to_string(initialBonds_) + " bonds created");
 }
 
 /* ----------------------------------------------------------------------
@@ -58,7 +100,6 @@ void FixBondParallel::create()
 void FixBondParallel::bondNeighbours()
 {
     neighbor->build_one(list_->index);
-    double** x = atom->x;
     smallestGap_ = std::numeric_limits<double>::max();
     largestReach_ = 0;
     for (int row = 0; row < list_->inum; ++row) {
@@ -67,18 +108,23 @@ void FixBondParallel::bondNeighbours()
             continue;
         for (int n = 0; n < list_->numneigh[i]; ++n) {
             const int j = list_->firstneigh[i][n] & NEIGHMASK;
-            if (!(atom->mask[j] & groupbit))
-                continue;
-            const double distance = std::sqrt(std::pow(x[j][0] - x[i][0], 2) + std::pow(x[j][1] - x[i][1], 2) +
-                                              std::pow(x[j][2] - x[i][2], 2));
-            const double gap = distance - atom->radius[i] - atom->radius[j];
-            const double mean = 0.5 * (atom->radius[i] + atom->radius[j]);
-            smallestGap_ = std::min(smallestGap_, gap / mean);
-            largestReach_ = std::max(largestReach_, createGap_ * mean);
-            if (gap <= createGap_ * mean)
-                bondFrom(i, j);
+            if (atom->mask[j] & groupbit)
+                bondIfNear(i, j);
         }
     }
+}
+
+void FixBondParallel::bondIfNear(int i, int j)
+{
+    const double *x1 = atom->x[i], *x2 = atom->x[j];
+    const double distance =
+        std::sqrt(std::pow(x2[0] - x1[0], 2) + std::pow(x2[1] - x1[1], 2) + std::pow(x2[2] - x1[2], 2));
+    const double gap = distance - atom->radius[i] - atom->radius[j];
+    const double mean = 0.5 * (atom->radius[i] + atom->radius[j]);
+    smallestGap_ = std::min(smallestGap_, gap / mean);
+    largestReach_ = std::max(largestReach_, options_.createGap * mean);
+    if (gap <= options_.createGap * mean)
+        bondFrom(i, j);
 }
 
 /// Bond of the owned sphere i with j, seen from i; if both are owned the lower id's sphere adds it.
@@ -96,28 +142,34 @@ void FixBondParallel::checkReach()
     double reach, nearest;
     MPI_Allreduce(&largestReach_, &reach, 1, MPI_DOUBLE, MPI_MAX, world);
     MPI_Allreduce(&smallestGap_, &nearest, 1, MPI_DOUBLE, MPI_MIN, world);
-    char text[512];
     if (reach > neighbor->skin) {
+        char text[512];
         snprintf(text, sizeof text,
                  "create_gap %g reaches %g m, beyond the neighbour skin of %g m, so pairs would be missed; cure: "
                  "'neighbor %g bin' or a smaller create_gap",
-                 createGap_, reach, neighbor->skin, 1.1 * reach);
+                 options_.createGap, reach, neighbor->skin, 1.1 * reach);
         error->fix_error(FLERR, this, text);
     }
-    if (initialBonds_ > 0)
-        return;
+    if (initialBonds_ == 0)
+        error->fix_error(FLERR, this, noPairInReach(nearest).c_str());
+}
+
+/// nearest: smallest surface gap found, in mean radii.
+std::string FixBondParallel::noPairInReach(double nearest) const
+{
+    char text[512];
     if (nearest < std::numeric_limits<double>::max())
         snprintf(text, sizeof text,
                  "no pair of the group is in reach: the smallest surface gap is %g of the mean "
                  "radius, create_gap is %g; cure: create_gap above %g, or check the particles' positions and group",
-                 nearest, createGap_, nearest);
+                 nearest, options_.createGap, nearest);
     else
         snprintf(text, sizeof text,
                  "no pair of the group is in reach: not one within the neighbour distance of "
                  "contact plus %g m; cure: check the particles' positions, radii and group, and that they exist "
                  "before the first run",
                  neighbor->skin);
-    error->fix_error(FLERR, this, text);
+    return text;
 }
 
 /* ----------------------------------------------------------------------
@@ -126,19 +178,7 @@ void FixBondParallel::checkReach()
 
 void FixBondParallel::bondListed()
 {
-    BondList pairs;
-    std::string problem;
-    if (comm->me == 0)
-        problem = readBondList(listFile_, pairs);
-    int numbers[2] = {static_cast<int>(problem.size()), static_cast<int>(pairs.size())};
-    MPI_Bcast(numbers, 2, MPI_INT, 0, world);
-    problem.resize(numbers[0]);
-    MPI_Bcast(&problem[0], numbers[0], MPI_CHAR, 0, world);
-    if (!problem.empty())
-        error->fix_error(FLERR, this, problem.c_str());
-    pairs.resize(numbers[1]);
-    MPI_Bcast(pairs.data(), 3 * numbers[1], MPI_INT, 0, world);
-
+    const BondList pairs = listedBonds();
     checkListed(pairs);
     for (const ListedBond& pair : pairs)
         for (const auto& ends : {std::array<int, 2>{pair.id1, pair.id2}, std::array<int, 2>{pair.id2, pair.id1}}) {
@@ -148,16 +188,29 @@ void FixBondParallel::bondListed()
         }
 }
 
+/// The file's pairs, on every rank; rank 0 reads it.
+BondList FixBondParallel::listedBonds()
+{
+    BondList pairs;
+    std::string problem;
+    if (comm->me == 0)
+        problem = readBondList(options_.listFile, pairs);
+    int numbers[2] = {static_cast<int>(problem.size()), static_cast<int>(pairs.size())};
+    MPI_Bcast(numbers, 2, MPI_INT, 0, world);
+    problem.resize(numbers[0]);
+    MPI_Bcast(&problem[0], numbers[0], MPI_CHAR, 0, world);
+    if (!problem.empty())
+        error->fix_error(FLERR, this, problem.c_str());
+    pairs.resize(numbers[1]);
+    MPI_Bcast(pairs.data(), 3 * numbers[1], MPI_INT, 0, world);
+    return pairs;
+}
+
 /// Every sphere of the list exists, is in the group and within sight of its partner's rank.
 void FixBondParallel::checkListed(const BondList& pairs)
 {
-    enum Fault { NONE, FAR, OUTSIDE, UNKNOWN };
-    int first[2] = {std::numeric_limits<int>::max(), NONE}; // line, worst fault there
+    ListFault first; // the first line of the file that this rank blames
     std::vector<int> owners(2 * pairs.size());
-    const auto blame = [&](int line, Fault fault) {
-        if (line < first[0])
-            first[0] = line, first[1] = fault;
-    };
     for (std::size_t n = 0; n < pairs.size(); ++n)
         for (int end = 0; end < 2; ++end) {
             const int i = atom->map(end ? pairs[n].id2 : pairs[n].id1);
@@ -165,28 +218,18 @@ void FixBondParallel::checkListed(const BondList& pairs)
                 continue;
             owners[2 * n + end] = 1;
             if (!(atom->mask[i] & groupbit))
-                blame(pairs[n].line, OUTSIDE);
+                first.blame(pairs[n].line, ListFault::OUTSIDE);
             else if (atom->map(end ? pairs[n].id1 : pairs[n].id2) < 0)
-                blame(pairs[n].line, FAR);
+                first.blame(pairs[n].line, ListFault::FAR);
         }
     MPI_Allreduce(MPI_IN_PLACE, owners.data(), static_cast<int>(owners.size()), MPI_INT, MPI_SUM, world);
     for (std::size_t n = owners.size(); n-- > 0;)
-        if (!owners[n] && pairs[n / 2].line <= first[0])
-            first[0] = pairs[n / 2].line, first[1] = UNKNOWN;
-    int worst[2]; // the first line that any rank blames, and why
-    MPI_Allreduce(first, worst, 1, MPI_2INT, MPI_MINLOC, world);
-    if (worst[0] == std::numeric_limits<int>::max())
-        return;
-
-    const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const ListedBond& p) { return p.line == worst[0]; });
-    const char* texts[] = {
-        "", "lie so far apart that no rank sees both; cure: 'communicate single vel yes cutoff <m>'",
-        "are not both in the fix's group; cure: a group that holds them, or another list",
-        "do not both exist; cure: the ids of the data file, and spheres that exist before the first run"};
-    char text[512];
-    snprintf(text, sizeof text, "list %s, line %d: the spheres %d and %d %s", listFile_.c_str(), worst[0], at->id1,
-             at->id2, texts[worst[1]]);
-    error->fix_error(FLERR, this, text);
+        if (!owners[n] && pairs[n / 2].line <= first.line)
+            first = {pairs[n / 2].line, ListFault::UNKNOWN};
+    ListFault worst; // of all ranks
+    MPI_Allreduce(&first, &worst, 1, MPI_2INT, MPI_MINLOC, world);
+    if (worst.kind != ListFault::NONE)
+        error->fix_error(FLERR, this, worst.describe(options_.listFile, pairs).c_str());
 }
 
 /* ----------------------------------------------------------------------
@@ -207,17 +250,8 @@ std::size_t FixBondParallel::addBond(int at1, int at2, int target1, int target2)
     return k;
 }
 
-/// What follows from the spheres and is not stored with the bond.
 void FixBondParallel::completeShape(std::size_t k)
 {
     const int i = table_.at1[k], j = table_.at2[k];
-    const double r1 = atom->radius[i], r2 = atom->radius[j];
-    table_.radius[k] = radiusFactor_ * std::min(r1, r2);
-    table_.share[k] = r1 / (r1 + r2);
-    table_.strength[k] =
-        weibullModulus_ > 0 ? weibullFactor(table_.id1[k], table_.id2[k], weibullModulus_, weibullSeed_) : 1;
-    const double m1 = atom->rmass[i], m2 = atom->rmass[j];
-    const double j1 = 0.4 * m1 * r1 * r1, j2 = 0.4 * m2 * r2 * r2;
-    table_.reducedMass[k] = m1 * m2 / (m1 + m2);
-    table_.reducedInertia[k] = j1 * j2 / (j1 + j2);
+    completeRow(table_, k, options_, {atom->radius[i], atom->rmass[i]}, {atom->radius[j], atom->rmass[j]});
 }

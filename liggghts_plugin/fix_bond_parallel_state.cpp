@@ -6,10 +6,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "force.h"
 #include "memory.h"
-#include "neighbor.h"
-#include "pair.h"
 #include "update.h"
 
 #include <algorithm>
@@ -44,24 +41,8 @@ void FixBondParallel::load()
         const BondStore::Owner owner = store_.owners[i];
         renumbered |= owner.count && owner.self != atom->tag[i];
         store_.owners[i].self = atom->tag[i];
-        for (int h = owner.first; h < owner.first + owner.count; ++h) {
-            const BondHalf& half = store_.pool[h];
-            const int partner = atom->map(half.partner);
-            const bool ordered = atom->tag[i] < half.partner;
-            if (partner < 0) {
-                missing.push_back(half.partner);
-                continue;
-            }
-            if (partner < atom->nlocal && !ordered)
-                continue; // comes from the partner's half, on this rank
-            const int image = domain->closest_image(i, partner);
-            const std::size_t k =
-                addBond(ordered ? i : image, ordered ? image : i, ordered ? i : image, ordered ? image : i);
-            table_.restLength[k] = half.restLength;
-            for (int c = 0; c < BondTable::stateColumns; ++c)
-                table_.state[c][k] = half.state[c];
-            completeShape(k);
-        }
+        for (int h = owner.first; h < owner.first + owner.count; ++h)
+            loadHalf(i, store_.pool[h], missing);
     }
     tableNewer_ = true;
     owned_ = atom->nlocal;
@@ -70,38 +51,64 @@ void FixBondParallel::load()
     flushEvents();
 }
 
+/// A row for a bond of sphere i, unless it comes from the partner's half on this rank.
+void FixBondParallel::loadHalf(int i, const BondHalf& half, std::vector<int>& missing)
+{
+    const int partner = atom->map(half.partner);
+    const bool ordered = atom->tag[i] < half.partner;
+    if (partner < 0) {
+        missing.push_back(half.partner);
+        return;
+    }
+    if (partner < atom->nlocal && !ordered)
+        return;
+    const int image = domain->closest_image(i, partner);
+    const std::size_t k = addBond(ordered ? i : image, ordered ? image : i, ordered ? i : image, ordered ? image : i);
+    table_.restLength[k] = half.restLength;
+    for (int c = 0; c < BondTable::stateColumns; ++c)
+        table_.state[c][k] = half.state[c];
+    completeShape(k);
+}
+
 /// Partners that are nowhere took their bonds with them; one that exists beyond the ghosts is an error.
 void FixBondParallel::dropMissing(const std::vector<int>& missing, bool renumbered)
 {
-    int here = static_cast<int>(missing.size()), found[2] = {here, renumbered}, sums[2];
+    const int found[2] = {static_cast<int>(missing.size()), renumbered};
+    int sums[2];
     MPI_Allreduce(found, sums, 2, MPI_INT, MPI_SUM, world);
-    const int all = sums[0];
     if (sums[1])
         error->fix_error(FLERR, this,
                          "particle ids changed while bonds refer to them; cure: delete_atoms ... compress no");
-    if (all > 0) {
-        std::vector<int> counts(comm->nprocs), starts(comm->nprocs), ids(all);
-        MPI_Allgather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-        for (int rank = 1; rank < comm->nprocs; ++rank)
-            starts[rank] = starts[rank - 1] + counts[rank - 1];
-        MPI_Allgatherv(missing.data(), here, MPI_INT, ids.data(), counts.data(), starts.data(), MPI_INT, world);
-        int far = 0, farthest = 0;
-        for (int partner : ids) {
-            const int i = atom->map(partner);
-            if (i >= 0 && i < atom->nlocal)
-                far = std::max(far, partner);
-        }
-        MPI_Allreduce(&far, &farthest, 1, MPI_INT, MPI_MAX, world);
-        if (farthest > 0) {
-            char text[256];
-            snprintf(text, sizeof text,
-                     "the bonded partner with id %d is farther away than the ghost distance of %g "
-                     "m; cure: 'communicate single vel yes cutoff %g'",
-                     farthest, comm->cutghost[0], 2 * comm->cutghost[0]);
-            error->fix_error(FLERR, this, text);
-        }
-    }
+    if (sums[0] > 0)
+        refuseFar(missing);
     countLost();
+}
+
+/// Does any rank own a sphere that another one misses?
+void FixBondParallel::refuseFar(const std::vector<int>& missing)
+{
+    const int here = static_cast<int>(missing.size());
+    std::vector<int> counts(comm->nprocs), starts(comm->nprocs);
+    MPI_Allgather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+    for (int rank = 1; rank < comm->nprocs; ++rank)
+        starts[rank] = starts[rank - 1] + counts[rank - 1];
+    std::vector<int> ids(starts.back() + counts.back());
+    MPI_Allgatherv(missing.data(), here, MPI_INT, ids.data(), counts.data(), starts.data(), MPI_INT, world);
+    int far = 0, farthest = 0;
+    for (int partner : ids) {
+        const int i = atom->map(partner);
+        if (i >= 0 && i < atom->nlocal)
+            far = std::max(far, partner);
+    }
+    MPI_Allreduce(&far, &farthest, 1, MPI_INT, MPI_MAX, world);
+    if (farthest == 0)
+        return;
+    char text[256];
+    snprintf(text, sizeof text,
+             "the bonded partner with id %d is farther away than the ghost distance of %g "
+             "m; cure: 'communicate single vel yes cutoff %g'",
+             farthest, comm->cutghost[0], 2 * comm->cutghost[0]);
+    error->fix_error(FLERR, this, text);
 }
 
 /// Bonds that neither broke nor are there any more went with particles that were deleted or left the box.
@@ -212,14 +219,14 @@ int FixBondParallel::maxsize_restart()
 
 void FixBondParallel::write_restart(FILE* file)
 {
-    const double here[4] = {brokenTension_, brokenShear_, damped_, released_};
+    const double here[4] = {brokenTension_, brokenShear_, step_.damped, released_};
     double all[4];
     MPI_Allreduce(here, all, 4, MPI_DOUBLE, MPI_SUM, world);
     const double record[9] = {double(created_),
                               double(initialBonds_),
                               double(lostBonds_),
                               initialVolume_,
-                              time(),
+                              clock_.now(*update),
                               all[0],
                               all[1],
                               all[2],
@@ -238,11 +245,11 @@ void FixBondParallel::restart(char* buffer)
     initialBonds_ = static_cast<bigint>(record[1]);
     lostBonds_ = static_cast<bigint>(record[2]);
     initialVolume_ = record[3];
-    restartTime_ = record[4];
+    clock_.restored(record[4]);
     if (comm->me)
         return; // sums over ranks start from rank 0
     brokenTension_ = record[5];
     brokenShear_ = record[6];
-    damped_ = record[7];
+    step_.damped = record[7];
     released_ = record[8];
 }

@@ -8,7 +8,9 @@
 #define LMP_FIX_RESULTS_H
 
 #include "fix.h"
+#include "run_clock.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,53 +25,45 @@ namespace LAMMPS_NS
 
 class FixResults : public Fix
 {
-public:
+  public:
     FixResults(class LAMMPS*, int, char**);
-    ~FixResults();
+    ~FixResults() override;
 
-    int setmask();
-    void init();
-    void setup(int);
-    void end_of_step();
-    void write_restart(FILE*);
-    void restart(char*);
+    int setmask() override;
+    void init() override;
+    void setup(int) override;
+    void end_of_step() override;
+    void write_restart(FILE*) override;
+    void restart(char*) override;
 
-private:
-    // per-particle columns of one snapshot, contiguous per array
+  private:
+    /// An array of the particles: its name, the numbers of each particle and where they stand.
     struct Column {
-        std::string name;
+        const char* name;
         int components;
-        std::vector<double> values;
+        std::function<const double*(int)> of;
     };
 
-    [[noreturn]] void stop(const std::string&);   // all ranks have the error
-    [[noreturn]] void stopAlone(const std::string&); // perhaps only this one
+    [[noreturn]] void stop(const std::string& problem);      // all ranks have it
+    [[noreturn]] void stopAlone(const std::string& problem); // perhaps only this one
     void readWords(int, char**);
     class Fix* findFix(const std::string& keyword, const std::string& id);
+    void findFragments();
 
     void openFile();
     void announce(bigint step);
+    std::vector<Column> columns() const;
     void write();
-    void gatherParticles();
-    void addVectors(const char* name, double** rows, int from);
-    void addScalars(const char* name, const double* values);
-    void addFluid();
-    void addBonds();
-    void addFragments();
+    void writeParticles();
     void writeBonds();
-    double time() const;
 
-    std::string file_, bondsId_, fluidId_, fragmentId_;
+    std::string file_ = "particles.h5", bondsId_, fluidId_, fragmentId_;
     std::unique_ptr<frazil::SnapshotFile> snapshots_;
-    class FixBondParallel* bonds_;
-    class Fix* fluid_;
-    class ComputeFragment* fragment_;
-
-    std::vector<int> members_; // local indices of the group
-    std::vector<Column> columns_;
-    bigint writtenAt_;
-    double timeBefore_;  // what the host's clock forgot at a restart [s]
-    double restartTime_; // of the restart file, until the first run knows the time step; otherwise -1 [s]
+    class FixBondParallel* bonds_ = nullptr;
+    class Fix* fluid_ = nullptr;
+    class ComputeFragment* fragment_ = nullptr;
+    bigint writtenAt_ = -1;
+    frazil::RunClock clock_;
 };
 
 } // namespace LAMMPS_NS

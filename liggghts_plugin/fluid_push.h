@@ -16,37 +16,38 @@
 
 #include "Interaction.h"
 
-namespace frazil {
+namespace frazil
+{
 
 // drag and added-mass force [N] on a sphere of mass m [kg], velocity v [m/s], under the other forces [N]
-inline Vec3 reactionOnMoving(const Interaction &fluid, const Vec3 &other, const Vec3 &v, double m, double dt)
+inline Vec3 reactionOnMoving(const Interaction& fluid, const Vec3& other, const Vec3& v, double m, double dt)
 {
-  const double K = fluid.dragCoefficient, ma = fluid.addedMass;
-  const Vec3 driving = K * (fluid.fluidVelocity - v) + ma * fluid.fluidAcceleration;
-  const Vec3 a = (other + fluid.passiveForce + driving) * (1.0 / (m + ma + K * dt));
-  return driving - (ma + K * dt) * a;
+    const double K = fluid.dragCoefficient, ma = fluid.addedMass;
+    const Vec3 driving = K * (fluid.fluidVelocity - v) + ma * fluid.fluidAcceleration;
+    const Vec3 a = (other + fluid.passiveForce + driving) * (1.0 / (m + ma + K * dt));
+    return driving - (ma + K * dt) * a;
 }
 
 // the same on a sphere that performs the acceleration a [m/s2] whatever the force
-inline Vec3 reactionOnPrescribed(const Interaction &fluid, const Vec3 &v, const Vec3 &a)
+inline Vec3 reactionOnPrescribed(const Interaction& fluid, const Vec3& v, const Vec3& a)
 {
-  return fluid.dragCoefficient * (fluid.fluidVelocity - v) + fluid.addedMass * (fluid.fluidAcceleration - a);
+    return fluid.dragCoefficient * (fluid.fluidVelocity - v) + fluid.addedMass * (fluid.fluidAcceleration - a);
 }
 
 // torque [N m] on a sphere of moment of inertia I [kg m2], spin w [rad/s], under the other torques [N m]
-inline Vec3 torqueOnMoving(const Interaction &fluid, const Vec3 &other, const Vec3 &w, double I, double dt)
+inline Vec3 torqueOnMoving(const Interaction& fluid, const Vec3& other, const Vec3& w, double I, double dt)
 {
-  const double C = fluid.spinCoefficient;
-  const Vec3 driving = C * (fluid.fluidSpin - w);
-  return driving - (C * dt / (I + C * dt)) * (other + driving);
+    const double C = fluid.spinCoefficient;
+    const Vec3 driving = C * (fluid.fluidSpin - w);
+    return driving - (C * dt / (I + C * dt)) * (other + driving);
 }
 
 // the same on a sphere that no torque turns
-inline Vec3 torqueOnPrescribed(const Interaction &fluid, const Vec3 &w)
+inline Vec3 torqueOnPrescribed(const Interaction& fluid, const Vec3& w)
 {
-  return fluid.spinCoefficient * (fluid.fluidSpin - w);
+    return fluid.spinCoefficient * (fluid.fluidSpin - w);
 }
 
-}
+} // namespace frazil
 
 #endif

@@ -1,101 +1,79 @@
 #include "RigidMotion.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace frazil {
-
-Quaternion operator*(const Quaternion &a, const Quaternion &b)
+namespace frazil
 {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+
+Vec3 operator*(const Inertia& m, const Vec3& v)
+{
+    return {m[0] * v.x + m[3] * v.y + m[4] * v.z, m[3] * v.x + m[1] * v.y + m[5] * v.z,
+            m[4] * v.x + m[5] * v.y + m[2] * v.z};
 }
 
-Quaternion rotationBy(const Vec3 &r)
+Inertia rotated(const Quaternion& q, const Inertia& tensor)
 {
-  const double angle = norm(r);
-  // sin(angle/2)/angle by its series where the quotient loses digits
-  const double scale = angle > 1e-4 ? std::sin(0.5 * angle) / angle : 0.5 - angle * angle / 48.0;
-  return {std::cos(0.5 * angle), scale * r.x, scale * r.y, scale * r.z};
+    // rows of R are the axes of space seen from the body: I_ij = r_i · (I r_j)
+    const Quaternion back = inverse(q);
+    const Vec3 r[3] = {rotated(back, Vec3{1, 0, 0}), rotated(back, Vec3{0, 1, 0}), rotated(back, Vec3{0, 0, 1})};
+    const Vec3 s[3] = {tensor * r[0], tensor * r[1], tensor * r[2]};
+    return {dot(r[0], s[0]), dot(r[1], s[1]), dot(r[2], s[2]), dot(r[0], s[1]), dot(r[0], s[2]), dot(r[1], s[2])};
 }
 
-Vec3 rotated(const Quaternion &q, const Vec3 &v)
+bool positiveDefinite(const Inertia& m)
 {
-  const Vec3 axis{q.x, q.y, q.z};
-  const Vec3 t = 2.0 * cross(axis, v);
-  return v + q.w * t + cross(axis, t);
+    const Vec3 a{m[0], m[3], m[4]}, b{m[3], m[1], m[5]}, c{m[4], m[5], m[2]};
+    return m[0] > 0 && m[0] * m[1] - m[3] * m[3] > 0 && dot(a, cross(b, c)) > 0;
 }
 
-Vec3 operator*(const Inertia &m, const Vec3 &v)
+Vec3 RigidMotion::omegaAt(const Quaternion& q) const
 {
-  return {m[0] * v.x + m[3] * v.y + m[4] * v.z, m[3] * v.x + m[1] * v.y + m[5] * v.z,
-          m[4] * v.x + m[5] * v.y + m[2] * v.z};
+    const Inertia m = rotated(q, inertia);
+    Vec3 row[3] = {{m[0], m[3], m[4]}, {m[3], m[1], m[5]}, {m[4], m[5], m[2]}};
+    Vec3 right = angularMomentum;
+    // a locked axis replaces its row of I ω = L by ω_i = locked value; the scale of the row keeps the system well scaled
+    for (int i = 0; i < 3; i++)
+        if (lockTurn[i]) {
+            const double scale = row[i][i];
+            row[i] = Vec3();
+            row[i][i] = scale;
+            right[i] = scale * lockedOmega[i];
+        }
+    const Vec3 yz = cross(row[1], row[2]), zx = cross(row[2], row[0]), xy = cross(row[0], row[1]);
+    return (right.x * yz + right.y * zx + right.z * xy) / dot(row[0], yz);
 }
 
-Inertia rotated(const Quaternion &q, const Inertia &body)
+void RigidMotion::setOmega(const Vec3& omega)
 {
-  // rows of R are the axes of space seen from the body: I_ij = r_i · (I r_j)
-  const Quaternion back{q.w, -q.x, -q.y, -q.z};
-  const Vec3 r[3] = {rotated(back, Vec3{1, 0, 0}), rotated(back, Vec3{0, 1, 0}), rotated(back, Vec3{0, 0, 1})};
-  const Vec3 s[3] = {body * r[0], body * r[1], body * r[2]};
-  return {dot(r[0], s[0]), dot(r[1], s[1]), dot(r[2], s[2]), dot(r[0], s[1]), dot(r[0], s[2]), dot(r[1], s[2])};
+    lockedOmega = omega;
+    angularMomentum = rotated(orientation, inertia) * omega;
 }
 
-bool positiveDefinite(const Inertia &m)
+void RigidMotion::kick(const Vec3& force, const Vec3& torque, double dt)
 {
-  const Vec3 a{m[0], m[3], m[4]}, b{m[3], m[1], m[5]}, c{m[4], m[5], m[2]};
-  return m[0] > 0 && m[0] * m[1] - m[3] * m[3] > 0 && dot(a, cross(b, c)) > 0;
-}
-
-Vec3 RigidMotion::omegaAt(const Quaternion &q) const
-{
-  const Inertia m = rotated(q, inertia);
-  Vec3 row[3] = {{m[0], m[3], m[4]}, {m[3], m[1], m[5]}, {m[4], m[5], m[2]}};
-  Vec3 right = angularMomentum;
-  // a locked axis replaces its row of I ω = L by ω_i = locked value; the scale of the row keeps the system well scaled
-  for (int i = 0; i < 3; i++)
-    if (lockTurn[i]) {
-      const double scale = row[i][i];
-      row[i] = Vec3();
-      row[i][i] = scale;
-      right[i] = scale * lockedOmega[i];
-    }
-  const Vec3 yz = cross(row[1], row[2]), zx = cross(row[2], row[0]), xy = cross(row[0], row[1]);
-  return (right.x * yz + right.y * zx + right.z * xy) / dot(row[0], yz);
-}
-
-void RigidMotion::setOmega(const Vec3 &omega)
-{
-  lockedOmega = omega;
-  angularMomentum = rotated(orientation, inertia) * omega;
-}
-
-void RigidMotion::kick(const Vec3 &force, const Vec3 &torque, double dt)
-{
-  for (int i = 0; i < 3; i++)
-    if (!lockMove[i]) velocity[i] += dt / mass * force[i];
-  angularMomentum += dt * torque;
+    for (int i = 0; i < 3; i++)
+        if (!lockMove[i])
+            velocity[i] += dt / mass * force[i];
+    angularMomentum += dt * torque;
 }
 
 RigidMotion::Step RigidMotion::drift(double dt)
 {
-  const Vec3 displacement = dt * velocity;
-  centre += displacement;
+    const Vec3 displacement = dt * velocity;
+    centre += displacement;
 
-  // ω of the half-way orientation: a contraction with ratio ~ ω dt, so a handful of turns reach round-off
-  Vec3 turn = dt * omega();
-  for (int turns = 0; turns < 20; turns++) {
-    const Vec3 next = dt * omegaAt(rotationBy(0.5 * turn) * orientation);
-    const double change = norm(next - turn);
-    turn = next;
-    if (change <= 2 * std::numeric_limits<double>::epsilon() * norm(turn)) break;
-  }
-  orientation = rotationBy(turn) * orientation;
-  const Quaternion &q = orientation;
-  const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  orientation = {q.w / length, q.x / length, q.y / length, q.z / length};
-  return {displacement, turn};
+    // ω of the half-way orientation: a contraction with ratio ~ ω dt, so a handful of turns reach round-off
+    Vec3 turn = dt * omega();
+    for (int turns = 0; turns < 20; turns++) {
+        const Vec3 next = dt * omegaAt(rotationBy(0.5 * turn) * orientation);
+        const double change = norm(next - turn);
+        turn = next;
+        if (change <= 2 * std::numeric_limits<double>::epsilon() * norm(turn))
+            break;
+    }
+    orientation = normalised(rotationBy(turn) * orientation);
+    return {displacement, turn};
 }
 
-}
+} // namespace frazil

@@ -13,32 +13,33 @@
 
 using namespace LAMMPS_NS;
 
-namespace {
+namespace
+{
 
 void handle(int signal, void (*handler)(int))
 {
-  struct sigaction action;
-  std::memset(&action, 0, sizeof(action));
-  action.sa_handler = handler;
-  sigaction(signal, &action, NULL);
+    struct sigaction action;
+    std::memset(&action, 0, sizeof(action));
+    action.sa_handler = handler;
+    sigaction(signal, &action, NULL);
 }
 
-}
+} // namespace
 
-int main(int argc, char **argv)
+int main(int argc, char** argv)
 {
-  // as liggghts: end the run cleanly, with a restart file where asked for. mpirun turns SIGINT into SIGTERM.
-  handle(SIGINT, SignalHandler::int_handler);
-  handle(SIGTERM, SignalHandler::int_handler);
-  handle(SIGUSR1, SignalHandler::usr1_handler);
+    // as liggghts: end the run cleanly, with a restart file where asked for. mpirun turns SIGINT into SIGTERM.
+    handle(SIGINT, SignalHandler::int_handler);
+    handle(SIGTERM, SignalHandler::int_handler);
+    handle(SIGUSR1, SignalHandler::usr1_handler);
 
-  frazil::World::declare(frazil::Side::dem);
-  MPI_Init(&argc, &argv);
+    frazil::World::declare(frazil::Side::dem);
+    MPI_Init(&argc, &argv);
 
-  LAMMPS *lammps = new LAMMPS(argc, argv, frazil::World::instance().own());
-  frazil::registerStyles(lammps);
-  lammps->input->file();
-  delete lammps;
+    LAMMPS* lammps = new LAMMPS(argc, argv, frazil::World::instance().own());
+    frazil::registerStyles(lammps);
+    lammps->input->file();
+    delete lammps;
 
-  MPI_Finalize();
+    MPI_Finalize();
 }

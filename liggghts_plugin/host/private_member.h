@@ -11,12 +11,13 @@
 #define FRAZIL_PRIVATE_MEMBER_H
 
 // no name: tag, instantiation and friend must be of one namespace, that of the source that includes this
-namespace {
+namespace
+{
 
 template <class Tag, typename Tag::Member member> struct PrivateMember {
-  friend typename Tag::Member memberOf(Tag) { return member; }
+    friend typename Tag::Member memberOf(Tag) { return member; }
 };
 
-}
+} // namespace
 
 #endif

@@ -5,12 +5,13 @@
 
 #include "lammps.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /* Add the styles to this instance, now and again after every `clear` of the input script
    (which replaces the tables of styles). */
-void registerStyles(LAMMPS_NS::LAMMPS *);
+void registerStyles(LAMMPS_NS::LAMMPS*);
 
-}
+} // namespace frazil
 
 #endif

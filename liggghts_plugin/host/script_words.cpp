@@ -1,6 +1,7 @@
 #include "script_words.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "DidYouMean.h"
 #include "InputError.h"
@@ -25,16 +26,33 @@ const Keyword* find(const std::vector<Keyword>& known, const std::string& word)
     return at == known.end() ? nullptr : &*at;
 }
 
+/// Beyond the values that a keyword must have: does this word begin the next keyword, well spelt or not?
+bool beginsKeyword(const std::string& word, const std::vector<Keyword>& known)
+{
+    return find(known, word) || !didYouMean(word, namesOf(known)).empty();
+}
+
+/// A value may look like a keyword (`bonds bonds`); in `young stiffness_ratio 2` it is one, because 2 is none.
+void dropSwallowed(std::vector<std::string>& values, const char* behind, const std::vector<Keyword>& known)
+{
+    if (!behind || find(known, behind))
+        return;
+    const auto isKeyword = [&](const std::string& value) { return find(known, value) != nullptr; };
+    values.erase(std::find_if(values.begin(), values.end(), isKeyword), values.end());
+}
+
 /// The values of a keyword, which stand from `first` on.
 std::vector<std::string> valuesOf(const Keyword& keyword, int first, int count, char** words,
                                   const std::vector<Keyword>& known)
 {
     std::vector<std::string> values;
     for (int n = first; n < count && int(values.size()) < keyword.most; ++n) {
-        if (int(values.size()) >= keyword.least && find(known, words[n]))
+        if (int(values.size()) >= keyword.least && beginsKeyword(words[n], known))
             break;
         values.push_back(words[n]);
     }
+    const int behind = first + int(values.size());
+    dropSwallowed(values, behind < count ? words[behind] : nullptr, known);
     if (int(values.size()) < keyword.least)
         throw InputError("", keyword.name, joined(values, " "),
                          "needs " + std::to_string(keyword.least) + (keyword.least > 1 ? " values" : " value"),
@@ -60,6 +78,21 @@ Settings scriptWords(int count, char** words, const std::vector<Keyword>& known)
         n += 1 + int(values.size());
     }
     return settings;
+}
+
+int positiveInt(const Settings& words, const std::string& key)
+{
+    const long value = words.integer(key);
+    if (value <= 0)
+        words.reject(key, "must be above zero", "Give a whole number from 1 on");
+    if (value > std::numeric_limits<int>::max())
+        words.reject(key, "is too large", "Give a whole number up to 2147483647");
+    return static_cast<int>(value);
+}
+
+int positiveInt(const Settings& words, const std::string& key, int byDefault)
+{
+    return words.has(key) ? positiveInt(words, key) : byDefault;
 }
 
 } // namespace frazil

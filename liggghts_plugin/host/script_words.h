@@ -20,6 +20,10 @@ struct Keyword {
 /// without enough values.
 Settings scriptWords(int count, char** words, const std::vector<Keyword>& known);
 
+/// A whole number from 1 to 2147483647, LIGGGHTS's largest.
+int positiveInt(const Settings& words, const std::string& key);
+int positiveInt(const Settings& words, const std::string& key, int byDefault);
+
 } // namespace frazil
 
 #endif
