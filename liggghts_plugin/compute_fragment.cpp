@@ -7,20 +7,17 @@
 #include "comm.h"
 #include "error.h"
 #include "fix_bond_parallel.h"
+#include "fix_ids.h"
 #include "memory.h"
 #include "modify.h"
 #include "update.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <numeric>
-#include <unordered_map>
 
 using namespace LAMMPS_NS;
 
-ComputeFragment::ComputeFragment(LAMMPS* lmp, int& iarg, int narg, char** arg)
-    : Compute(lmp, iarg, narg, arg), bonds_(nullptr), nmax_(0), label_(nullptr)
+ComputeFragment::ComputeFragment(LAMMPS* lmp, int& iarg, int narg, char** arg) : Compute(lmp, iarg, narg, arg)
 {
     if (narg != iarg + 1) {
         const frazil::InputError wrong("Compute fragment (id " + std::string(id) + ")", "", "",
@@ -50,11 +47,7 @@ void ComputeFragment::init()
     bonds_ = ifix < 0 ? nullptr : dynamic_cast<FixBondParallel*>(modify->fix[ifix]);
     if (bonds_)
         return;
-    std::vector<std::string> known;
-    for (int n = 0; n < modify->nfix; ++n) {
-        if (dynamic_cast<FixBondParallel*>(modify->fix[n]))
-            known.push_back(modify->fix[n]->id);
-    }
+    const auto known = frazil::fixIds(*modify, [](Fix* fix) { return dynamic_cast<FixBondParallel*>(fix) != nullptr; });
     const frazil::InputError wrong("Compute fragment (id " + std::string(id) + ")", "", bondFixId_,
                                    "there is no fix bond/parallel of the ID '" + bondFixId_ + "'" +
                                        frazil::didYouMean(bondFixId_, known),
@@ -141,39 +134,39 @@ void ComputeFragment::compute_vector()
 /// Volume of the largest fragment [m3].
 double ComputeFragment::largestVolume()
 {
-    struct Part {
-        double label, volume;
-    };
-    std::unordered_map<int, double> mine;
+    std::unordered_map<int, double> mine, whole;
     for (int i = 0; i < atom->nlocal; ++i)
         if (atom->mask[i] & groupbit)
             mine[static_cast<int>(label_[i])] += frazil::volumeOf(atom->radius[i]);
-
-    const int ranks = comm->nprocs;
-    std::vector<int> out(ranks), in(ranks), outStart(ranks + 1), inStart(ranks + 1);
-    for (const auto& entry : mine)
-        out[entry.first % ranks] += sizeof(Part);
-    MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, world);
-    std::partial_sum(out.begin(), out.end(), outStart.begin() + 1);
-    std::partial_sum(in.begin(), in.end(), inStart.begin() + 1);
-    std::vector<Part> send(mine.size()), received(inStart[ranks] / sizeof(Part));
-    std::vector<int> next(outStart);
-    for (const auto& entry : mine) {
-        int& at = next[entry.first % ranks];
-        send[at / sizeof(Part)] = {double(entry.first), entry.second};
-        at += sizeof(Part);
-    }
-    MPI_Alltoallv(send.data(), out.data(), outStart.data(), MPI_BYTE, received.data(), in.data(), inStart.data(),
-                  MPI_BYTE, world);
-
-    std::unordered_map<int, double> whole;
-    for (const Part& part : received)
+    for (const FragmentPart& part : partsOfThisRank(mine))
         whole[static_cast<int>(part.label)] += part.volume;
     double here = 0, largest = 0;
     for (const auto& entry : whole)
         here = std::max(here, entry.second);
     MPI_Allreduce(&here, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
     return largest;
+}
+
+/// Each part of a fragment goes to the rank given by its label modulo the ranks; returns what came from all ranks.
+std::vector<FragmentPart> ComputeFragment::partsOfThisRank(const std::unordered_map<int, double>& mine)
+{
+    const int ranks = comm->nprocs;
+    std::vector<int> out(ranks), in(ranks), outStart(ranks + 1), inStart(ranks + 1);
+    for (const auto& entry : mine)
+        out[entry.first % ranks] += sizeof(FragmentPart);
+    MPI_Alltoall(out.data(), 1, MPI_INT, in.data(), 1, MPI_INT, world);
+    std::partial_sum(out.begin(), out.end(), outStart.begin() + 1);
+    std::partial_sum(in.begin(), in.end(), inStart.begin() + 1);
+    std::vector<FragmentPart> send(mine.size()), received(inStart[ranks] / sizeof(FragmentPart));
+    std::vector<int> next(outStart);
+    for (const auto& entry : mine) {
+        int& at = next[entry.first % ranks];
+        send[at / sizeof(FragmentPart)] = {double(entry.first), entry.second};
+        at += sizeof(FragmentPart);
+    }
+    MPI_Alltoallv(send.data(), out.data(), outStart.data(), MPI_BYTE, received.data(), in.data(), inStart.data(),
+                  MPI_BYTE, world);
+    return received;
 }
 
 int ComputeFragment::pack_comm(int n, int* list, double* buffer, int, int*)

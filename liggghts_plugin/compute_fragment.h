@@ -14,34 +14,41 @@
 #include "compute.h"
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace LAMMPS_NS
 {
 
+/// What one rank holds of a fragment.
+struct FragmentPart {
+    double label, volume; ///< id of the fragment, [m3]
+};
+
 class ComputeFragment : public Compute
 {
   public:
     ComputeFragment(class LAMMPS*, int&, int, char**);
-    ~ComputeFragment();
+    ~ComputeFragment() override;
 
-    void init();
-    void compute_vector();
-    void compute_peratom();
-    int pack_comm(int, int*, double*, int, int*);
-    void unpack_comm(int, int, double*);
-    double memory_usage();
+    void init() override;
+    void compute_vector() override;
+    void compute_peratom() override;
+    int pack_comm(int, int*, double*, int, int*) override;
+    void unpack_comm(int, int, double*) override;
+    double memory_usage() override;
 
   private:
     void joinBonded();
     int rootOf(int);
     bool lowerLabels();
     double largestVolume();
+    std::vector<FragmentPart> partsOfThisRank(const std::unordered_map<int, double>& mine);
 
     std::string bondFixId_;
-    class FixBondParallel* bonds_;
-    int nmax_;
-    double* label_;           // per owned and ghost sphere; ids are exact in doubles
+    class FixBondParallel* bonds_ = nullptr;
+    int nmax_ = 0;
+    double* label_ = nullptr; // per owned and ghost sphere; ids are exact in doubles
     std::vector<int> parent_; // union-find over owned and ghost spheres
 };
 

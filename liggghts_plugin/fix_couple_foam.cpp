@@ -9,6 +9,7 @@
 #include "coupled_body.h"
 #include "coupling_history.h"
 #include "error.h"
+#include "fix_ids.h"
 #include "memory.h"
 #include "modify.h"
 #include "output.h"
@@ -114,9 +115,7 @@ Fix* FixCoupleFoam::findShielding()
 {
     Fix* fix = modify->find_fix_id(shieldingId_.c_str());
     if (!fix || strcmp(fix->style, "bond/parallel")) {
-        std::vector<std::string> known;
-        for (const Fix* bonds : bonds_)
-            known.push_back(bonds->id);
+        const auto known = frazil::fixIds(*modify, [](Fix* f) { return !strcmp(f->style, "bond/parallel"); });
         const frazil::InputError wrong("", "shielding", shieldingId_,
                                        "there is no fix bond/parallel of this ID" +
                                            frazil::didYouMean(shieldingId_, known),

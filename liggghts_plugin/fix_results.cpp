@@ -6,6 +6,7 @@
 #include "World.h"
 #include "compute_fragment.h"
 #include "fix_bond_parallel.h"
+#include "fix_ids.h"
 #include "host_vector.h"
 #include "script_words.h"
 
@@ -80,9 +81,7 @@ Fix* FixResults::findFix(const std::string& keyword, const std::string& id)
     const int index = modify->find_fix(id.c_str());
     if (index >= 0)
         return modify->fix[index];
-    std::vector<std::string> known;
-    for (int n = 0; n < modify->nfix; ++n)
-        known.push_back(modify->fix[n]->id);
+    const auto known = frazil::fixIds(*modify, [](Fix*) { return true; });
     stop(InputError("", keyword, id, "there is no fix of this ID" + frazil::didYouMean(id, known),
                     "Define it before the run")
              .what());

@@ -50,8 +50,8 @@ Reference reference(const BondState& old, const BondShape& shape, const BondMate
     const Vec3 n0 = old.separation / norm(old.separation), n1 = d / norm(d), middle = (n0 + n1) / norm(n0 + n1);
     const double stretch = norm(d) - norm(old.separation);
     const Vec3 centre = 0.5 * (d + old.separation);
-    const Vec3 slip = perpendicular(
-        d - old.separation - cross(shape.share * t1 + (1 - shape.share) * t2, centre), middle);
+    const Vec3 slip =
+        perpendicular(d - old.separation - cross(shape.share * t1 + (1 - shape.share) * t2, centre), middle);
     const Vec3 bend = perpendicular(t2 - t1, middle);
     const double twist = 0.5 * dot(t2 - t1, n0 + n1);
     const double spin = 2 * std::atan(0.25 * dot(0.5 * (t1 + t2), n0 + n1));
@@ -76,7 +76,8 @@ Reference reference(const BondState& old, const BondShape& shape, const BondMate
         const double ct = c(m.damping.torsion, ks * j, inertia), cb = c(m.damping.bending, kn * i, inertia);
         force += rate * (cn * stretch * n1 + cs * slip);
         moment += rate * (ct * twist * n1 + cb * bend);
-        r.power = rate * rate * (cn * stretch * stretch + cs * dot(slip, slip) + ct * twist * twist + cb * dot(bend, bend));
+        r.power =
+            rate * rate * (cn * stretch * stretch + cs * dot(slip, slip) + ct * twist * twist + cb * dot(bend, bend));
     }
     r.force = force;
     r.torque1 = shape.share * cross(d, force) + moment;
@@ -99,8 +100,10 @@ void fill(BondTable& table, BondBlock& block, Random& random)
         table.share[b] = random(0.3, 0.7), table.strength[b] = random(0.5, 1.5);
         table.reducedMass[b] = random(1e-6, 1e-5), table.reducedInertia[b] = random(1e-12, 1e-11);
         const Vec3 d = length * direction;
-        const Vec3 shear = perpendicular(random.vector(2), direction), bend = perpendicular(random.vector(1e-3), direction);
-        const double columns[] = {d.x, d.y, d.z, shear.x, shear.y, shear.z, bend.x, bend.y, bend.z, random(-1e-3, 1e-3)};
+        const Vec3 shear = perpendicular(random.vector(2), direction),
+                   bend = perpendicular(random.vector(1e-3), direction);
+        const double columns[] = {d.x,     d.y,    d.z,    shear.x, shear.y,
+                                  shear.z, bend.x, bend.y, bend.z,  random(-1e-3, 1e-3)};
         for (int c = 0; c < BondTable::stateColumns; ++c)
             table.state[c][b] = columns[c];
         const Vec3 next = d + random.vector(2e-5), t1 = random.vector(0.02), t2 = random.vector(0.02);

@@ -24,9 +24,15 @@ BondMaterial material()
 
 const BondShape shape{0.002, 0.001, 0.5, 1};
 
-BondStiffness stiffness() { return stiffnessOf(material(), shape.restLength, shape.radius); }
+BondStiffness stiffness()
+{
+    return stiffnessOf(material(), shape.restLength, shape.radius);
+}
 
-BondState atRest(const Vec3& direction) { return {direction * shape.restLength, {}, {}, 0}; }
+BondState atRest(const Vec3& direction)
+{
+    return {direction * shape.restLength, {}, {}, 0};
+}
 
 /// Rodrigues' rotation of v about the unit axis by an angle.
 Vec3 rotated(const Vec3& v, const Vec3& axis, double angle)
@@ -34,7 +40,10 @@ Vec3 rotated(const Vec3& v, const Vec3& axis, double angle)
     return v * std::cos(angle) + cross(axis, v) * std::sin(angle) + axis * (dot(axis, v) * (1 - std::cos(angle)));
 }
 
-void expectNear(const Vec3& a, const Vec3& b, double tolerance) { EXPECT_LE(norm(a - b), tolerance); }
+void expectNear(const Vec3& a, const Vec3& b, double tolerance)
+{
+    EXPECT_LE(norm(a - b), tolerance);
+}
 
 } // namespace
 
@@ -131,7 +140,8 @@ TEST(ParallelBond, WeibullFactorsHaveMeanOneAndAreRepeatable)
 {
     double sum = 0;
     const int count = 100000;
-    for (int i = 1; i <= count; ++i) sum += weibullFactor(i, i + 7, 5, 42);
+    for (int i = 1; i <= count; ++i)
+        sum += weibullFactor(i, i + 7, 5, 42);
     EXPECT_NEAR(sum / count, 1, 3e-3); // standard deviation 0.23/sqrt(1e5)
     EXPECT_EQ(weibullFactor(3, 9, 5, 42), weibullFactor(3, 9, 5, 42));
     EXPECT_NE(weibullFactor(3, 9, 5, 42), weibullFactor(3, 9, 5, 43));
@@ -147,7 +157,8 @@ TEST(BondStore, HalvesReturnAsTheyLeft)
         table.target1[k] = k;
         table.target2[k] = k + 1;
         table.restLength[k] = 0.1 * (k + 1);
-        for (int c = 0; c < BondTable::stateColumns; ++c) table.state[c][k] = 100 * k + c;
+        for (int c = 0; c < BondTable::stateColumns; ++c)
+            table.state[c][k] = 100 * k + c;
     }
     BondStore store;
     store.owners.resize(4);
