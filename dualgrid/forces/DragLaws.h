@@ -5,7 +5,8 @@
 /// that is, the drag in units of Stokes' drag, as a pure function of two dimensionless numbers. Every law is finite as
 /// Re -> 0 and free of divisions by Re. K is the force per particle of model A (physics: fd = V β_d/(1-αf) (u - up));
 /// the pressure gradient acts on top of it. 0 < αf <= 1. Laws compose: a closure for dense beds takes its dilute limit
-/// from the single-sphere law. To add one: its header, its line in DragLaw, its row in tests (dualgrid/doc/adding.md).
+/// from the single-sphere law. To add one: its header, its name in
+/// DragLaw, its test and its row in couplingProperties.md (dualgrid/doc/adding.md).
 #pragma once
 
 #include <variant>

@@ -1,12 +1,14 @@
 #include "pairExchange.H"
 #include "coarsePieces.H"
 #include "conversions.H"
+#include "InputError.h"
 #include "Pstream.H"
 #include "Time.H"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -92,6 +94,22 @@ void Foam::pairExchange::openLedger()
         return;
     }
 
+    const std::string header = frazil::Ledger::csvHeader() + transportLedger::header();
+    std::string before = header;
+    if (restarted_)
+    {
+        std::ifstream file("ledger.csv");
+        std::getline(file, before);
+    }
+    if (before != header)
+    {
+        throw frazil::InputError
+        (
+            "ledger.csv", "", "",
+            "it has other columns than this frazilFoam writes, so that a continued run cannot append to it",
+            "Continue with the program that began the run, or move ledger.csv away"
+        );
+    }
     ledger_.reset
     (
         new OFstream
@@ -106,8 +124,7 @@ void Foam::pairExchange::openLedger()
 
     if (!restarted_)
     {
-        ledger_()
-            << frazil::Ledger::csvHeader().c_str() << transportLedger::header().c_str() << endl;
+        ledger_() << header.c_str() << endl;
     }
 }
 

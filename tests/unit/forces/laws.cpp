@@ -4,6 +4,8 @@
 /// 3πμD = 1.884956e-5 kg/s and Re = αf 2e6 s/m |ur|.
 #include <gtest/gtest.h>
 
+#include "Catalogue.h"
+#include "DidYouMean.h"
 #include "DragLaws.h"
 #include "ForceModel.h"
 #include "PressureResponse.h"
@@ -226,8 +228,8 @@ TEST(PressureResponse, NothingInFreeFluidOrWithoutParticles)
 TEST(ForceModel, NothingMovesNothingBreaks)
 {
     const ParticleState sphere{{}, {}, 1e-3, 1};
-    for (const char* law : {"DiFelice", "Gidaspow", "SchillerNaumann", "KochHill", "Beetstra", "none"}) {
-        const Interaction force = model({{"drag", law}})(LocalFlow{}, sphere, water, air);
+    for (const std::string& law : Catalogue<DragLaw>::names()) {
+        const Interaction force = model({{"drag", law.c_str()}})(LocalFlow{}, sphere, water, air);
         EXPECT_TRUE(std::isfinite(force.dragCoefficient)) << law;
         EXPECT_EQ(norm(force.passiveForce), 0) << law;
     }
@@ -239,8 +241,8 @@ TEST(ForceModel, RefusesAnUnknownLaw)
         model({{"drag", "DiFellice"}});
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "constant/couplingProperties: forces.drag DiFellice: is not one of the choices (did you mean "
-                     "\"DiFelice\"?). Choose from: DiFelice, Gidaspow, SchillerNaumann, KochHill, Beetstra, none.");
+        EXPECT_EQ(error.what(), "constant/couplingProperties: forces.drag DiFellice: is not one of the choices (did you "
+                                "mean \"DiFelice\"?). Choose from: " +
+                                    joined(Catalogue<DragLaw>::names()) + ".");
     }
 }

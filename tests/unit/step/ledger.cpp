@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "Columns.h"
@@ -44,6 +46,17 @@ TEST(Ledger, ValuesStandUnderTheirNames)
     EXPECT_EQ(valueOf(ledger, "volumeFine"), "0.125");
     EXPECT_EQ(valueOf(ledger, "impulseFineY"), "2.5");
     EXPECT_EQ(valueOf(ledger, "responseZ"), "-0.5");
+}
+
+TEST(Ledger, EveryColumnIsDocumented)
+{
+    std::ifstream file(COUPLING_PROPERTIES_MD);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (std::string name : words(Ledger::csvHeader())) {
+        const bool component = name.size() > 1 && std::string("XYZ").find(name.back()) != std::string::npos;
+        const std::string whole = component ? name.substr(0, name.size() - 1) : name;
+        EXPECT_TRUE(text.find("`" + name) != std::string::npos || text.find("`" + whole) != std::string::npos) << name;
+    }
 }
 
 TEST(Ledger, ErrorsAreRelative)
