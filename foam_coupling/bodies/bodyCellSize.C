@@ -38,4 +38,11 @@ Foam::scalar Foam::finestCut(const fvMesh& mesh, const bodyCut& cut)
 }
 
 
+Foam::scalar Foam::bodyDeltaT(const volVectorField& Ub, const scalar maxBodyCo)
+{
+    const scalarField rate(mag(Ub.primitiveField())/cbrt(Ub.mesh().V().field()));
+    return maxBodyCo/(gMax(rate) + VSMALL);
+}
+
+
 // ************************************************************************* //

@@ -1,20 +1,15 @@
 #include "coarsePieces.H"
+#include "conversions.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
 
-frazil::Vec3 vec3(const Foam::point& p)
-{
-    return {p.x(), p.y(), p.z()};
-}
-
-
 frazil::Box boundsOf(const Foam::fvMesh& mesh, const Foam::label celli)
 {
     Foam::boundBox bb(mesh.points(), mesh.cellPoints(celli), false);
-    return {vec3(bb.min()), vec3(bb.max())};
+    return Foam::toBox(bb);
 }
 
 
@@ -47,12 +42,12 @@ void clipPolyhedron
     const frazil::PieceSink& sink
 )
 {
-    const frazil::Vec3 cellCentre = vec3(mesh.cellCentres()[celli]);
+    const frazil::Vec3 cellCentre = Foam::toVec3(mesh.cellCentres()[celli]);
 
     for (const Foam::label facei : mesh.cells()[celli])
     {
         const Foam::face& f = mesh.faces()[facei];
-        const frazil::Vec3 faceCentre = vec3(mesh.faceCentres()[facei]);
+        const frazil::Vec3 faceCentre = Foam::toVec3(mesh.faceCentres()[facei]);
 
         forAll(f, fp)
         {
@@ -60,8 +55,8 @@ void clipPolyhedron
             {
                 cellCentre,
                 faceCentre,
-                vec3(mesh.points()[f[fp]]),
-                vec3(mesh.points()[f.nextLabel(fp)])
+                Foam::toVec3(mesh.points()[f[fp]]),
+                Foam::toVec3(mesh.points()[f.nextLabel(fp)])
             };
             frazil::clipTetrahedron(tetrahedron, grid, sink);
         }

@@ -9,10 +9,10 @@
 
 std::int64_t Foam::stepLength::substeps
 (
-    const scalar allowed,
-    const scalar demDeltaT,
-    const scalar time,
-    const scalar left
+    const double allowed,
+    const double demDeltaT,
+    const double time,
+    const double left
 )
 {
     // Written so that a deltaT that is not a number ends here too
@@ -34,6 +34,18 @@ std::int64_t Foam::stepLength::substeps
         ++longSteps_;
     }
     return std::int64_t(std::min(std::max(1.0, fitting), untilEnd));
+}
+
+
+double Foam::stepLength::grown
+(
+    const double last,
+    const double demDeltaT,
+    const double courant,
+    const double most
+)
+{
+    return std::min(std::min(last + demDeltaT, courant), most);
 }
 
 

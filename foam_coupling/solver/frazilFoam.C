@@ -23,12 +23,15 @@ Description
 #include "CorrectPhi.H"
 #include "fvcSmooth.H"
 #include "alphaScheme.H"
+#include "bodyCellSize.H"
 #include "bodyLoads.H"
+#include "checkCoupledCase.H"
 #include "flowAtParticles.H"
 #include "fluidCoupling.H"
+#include "joinPair.H"
 #include "momentumBudget.H"
 #include "openVolume.H"
-#include "program.H"
+#include "stepLength.H"
 
 int main(int argc, char *argv[])
 {
@@ -85,9 +88,10 @@ int main(int argc, char *argv[])
                 CoNum = open.courantNumber(phi);
             }
             #include "setDeltaT.H"
-            if (coupling.valid())
+            if (coupling.valid() && adjustTimeStep && stepLength::stuck(lastDeltaT, coupling->demDeltaT()))
             {
-                #include "growByOneDemStep.H"
+                const scalar courant = lastDeltaT*min(maxCo/(CoNum + SMALL), maxAlphaCo/(alphaCoNum + SMALL));
+                runTime.setDeltaT(stepLength::grown(lastDeltaT, coupling->demDeltaT(), courant, maxDeltaT));
             }
         }
 

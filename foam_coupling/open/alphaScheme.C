@@ -1,27 +1,14 @@
-/*---------------------------------------------------------------------------*\
-    Frazil: LIGGGHTS-OpenFOAM coupling. GPL-3.0-or-later, see LICENSE.
-
-Description
-    The parts of the water-fraction equation that do not depend on ε: the time scheme's off-centring, the
-    interface-compression velocity (Berberovic et al. 2009, Phys. Rev. E 79, 036306) and the log line.
-    Cost: one pass over the faces per call. Parallel: as the fields are.
-\*---------------------------------------------------------------------------*/
-
-#ifndef alphaScheme_H
-#define alphaScheme_H
-
-#include "fvCFD.H"
-#include "EulerDdtScheme.H"
-#include "localEulerDdtScheme.H"
+#include "alphaScheme.H"
 #include "CrankNicolsonDdtScheme.H"
+#include "EulerDdtScheme.H"
 #include "immiscibleIncompressibleTwoPhaseMixture.H"
+#include "localEulerDdtScheme.H"
 #include "openVolume.H"
 
 namespace Foam
 {
 
-//- Off-centring of ddt(alpha) [-]: 0 for Euler, the scheme's value for Crank-Nicolson once there is an old flux
-inline scalar alphaOffCentring(const fvMesh& mesh, const label nSubCycles, const bool restarted)
+scalar alphaOffCentring(const fvMesh& mesh, const label nSubCycles, const bool restarted)
 {
     const tmp<fv::ddtScheme<scalar>> tscheme(fv::ddtScheme<scalar>::New(mesh, mesh.ddtScheme("ddt(alpha)")));
     const fv::ddtScheme<scalar>& scheme = tscheme();
@@ -48,8 +35,7 @@ inline scalar alphaOffCentring(const fvMesh& mesh, const label nSubCycles, const
 }
 
 
-//- Magnitude of the compression velocity on faces [m/s], zero on the domain's boundary
-inline tmp<surfaceScalarField> compressionVelocity
+tmp<surfaceScalarField> compressionVelocity
 (
     const immiscibleIncompressibleTwoPhaseMixture& mixture,
     const volVectorField& U,
@@ -83,8 +69,7 @@ inline tmp<surfaceScalarField> compressionVelocity
 }
 
 
-//- ∂α/∂t, Euler or local Euler
-inline tmp<fvScalarMatrix> ddtAlpha(const geometricOneField&, const volScalarField& alpha, const bool LTS)
+tmp<fvScalarMatrix> ddtAlpha(const geometricOneField&, const volScalarField& alpha, const bool LTS)
 {
     const fvMesh& mesh = alpha.mesh();
     return LTS
@@ -93,15 +78,13 @@ inline tmp<fvScalarMatrix> ddtAlpha(const geometricOneField&, const volScalarFie
 }
 
 
-//- ∂(ε α)/∂t, Euler
-inline tmp<fvScalarMatrix> ddtAlpha(const volScalarField& epsilon, const volScalarField& alpha, const bool)
+tmp<fvScalarMatrix> ddtAlpha(const volScalarField& epsilon, const volScalarField& alpha, const bool)
 {
     return fv::EulerDdtScheme<scalar>(alpha.mesh()).fvmDdt(epsilon, alpha);
 }
 
 
-//- Log the mean over the open volume, the least and the greatest water fraction
-inline void reportAlpha(const volScalarField& alpha, const openVolume& open)
+void reportAlpha(const volScalarField& alpha, const openVolume& open)
 {
     Info<< "Phase-1 volume fraction = " << open.mean(alpha)
         << "  Min(" << alpha.name() << ") = " << min(alpha).value()
@@ -110,5 +93,3 @@ inline void reportAlpha(const volScalarField& alpha, const openVolume& open)
 }
 
 } // End namespace Foam
-
-#endif
