@@ -66,8 +66,7 @@ Reference reference(const BondState& old, const BondShape& shape, const BondMate
     const Vec3 slip =
         perpendicular(d - old.separation - cross(shape.share * t1 + (1 - shape.share) * t2, centre), middle);
     const Vec3 bend = perpendicular(t2 - t1, middle);
-    const double twist = 0.5 * dot(t2 - t1, n0 + n1);
-    const double spin = 2 * std::atan(0.25 * dot(0.5 * (t1 + t2), n0 + n1));
+    const double twist = 0.5 * dot(t2 - t1, n0 + n1), spin = 2 * std::atan(0.25 * dot(0.5 * (t1 + t2), n0 + n1));
     // Half of an increment acts before the turn. It is perpendicular to the middle direction; the part of it along n1 goes.
     auto carried = [&](const Vec3& v, const Vec3& more) {
         const Vec3 first = 0.5 * (more - (n0 + n1) * (dot(more, n1) / (1 + dot(n0, n1))));
