@@ -1,8 +1,8 @@
 /* fix ID group bond/parallel: breakable parallel bonds between spheres. Documentation: doc/fix_bond_parallel.md.
 
-   The bonds themselves (law, step, results, frequency) are in bonds/, without LIGGGHTS; this class gives them the host's
-   spheres, messages and files. State rests with the particles (BondStore) whenever they migrate or are written to a restart
-   file, and in a table (BondTable) between.
+   The bonds themselves (law, step, results, frequency) are in bonds/, without LIGGGHTS; this class gives them the
+   host's spheres, messages and files. State rests with the particles (BondStore) whenever they migrate or are written
+   to a restart file, and in a table (BondTable) between.
    Cost: one pass over the table per step (bond_step.h); local indices are cached between reneighbourings.
    Parallel: a bond across ranks is advanced on both, from identical data in the order lower id -> higher id, so both
    ranks break it in the same step; each keeps the force on its own sphere. No message per step beyond the host's own

@@ -1,11 +1,11 @@
-/* fix bond/parallel: refuses a time step above the stable one and warns of one close to it (equations: bond_frequency.h,
-   contact_frequency.h).
+/* fix bond/parallel: refuses a time step above the stable one and warns of one close to it (equations:
+   bond_frequency.h, contact_frequency.h).
 
-   The bonds' frequency is found once per creation or restart. That of the contacts is bounded at every set-up: the largest
-   sum over a sphere's contacts of the pair's own frequency squared, plus one new contact of a sphere with the stiffest
-   material there is, at the overlap that the greatest speed found would drive it to.
-   Cost: 60 products of the stiffness matrix once, a pass over the pair list per set-up. Parallel: sums and maxima over all
-   ranks. */
+   The bonds' frequency is found once per creation or restart. That of the contacts is bounded at every set-up: the
+   largest sum over a sphere's contacts of the pair's own frequency squared, plus one new contact of a sphere with the
+   stiffest material there is, at the overlap that the greatest speed found would drive it to.
+   Cost: 60 products of the stiffness matrix once, a pass over the pair list per set-up. Parallel: sums and maxima over
+   all ranks. */
 
 #include "fix_bond_parallel.h"
 
@@ -119,7 +119,8 @@ void FixBondParallel::unpack_comm(int n, int first, double* buffer)
    contacts
 ------------------------------------------------------------------------- */
 
-/// Bound on the square of the contacts' largest frequency [1/s2]; 0 without materials (property/global) for a contact law.
+/// Bound on the square of the contacts' largest frequency [1/s2]; 0 without materials (property/global) for a contact
+/// law.
 double FixBondParallel::contactFrequencySquared()
 {
     const auto property = [&](const char* name) {

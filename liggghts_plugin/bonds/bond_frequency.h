@@ -1,15 +1,15 @@
 /* The bonded structure's largest frequency, and the time step that it allows.
 
    Verlet's scheme is stable while 4 M - dt^2 K - 2 dt C is positive (M mass, K stiffness, C damping over all degrees of
-   freedom; the dashpots see the motion of the last step). With the largest frequency of the bonds w_b (K_b, M), a bound w_c
-   on that of the contacts, and C <= eta K_b, eta the largest ratio of a dashpot to its spring, this holds for
+   freedom; the dashpots see the motion of the last step). With the largest frequency of the bonds w_b (K_b, M), a bound
+   w_c on that of the contacts, and C <= eta K_b, eta the largest ratio of a dashpot to its spring, this holds for
 
      dt <= dt_c = (sqrt(a^2 + 4 w^2) - a)/w^2,   w^2 = w_b^2 + w_c^2 (Weyl),   a = eta w_b^2;  without damping 2/w.
 
-   w_b: Lanczos iteration on six degrees of freedom per sphere (from below, within about 0.5 %). Breaking only lowers it, so
-   once per creation or restart is enough.
-   Cost: 60 products of the stiffness matrix. Parallel: ghosts get their motion from their owners in each iteration; sums
-   over all ranks; the same start on any number of ranks. */
+   w_b: Lanczos iteration on six degrees of freedom per sphere (from below, within about 0.5 %). Breaking only lowers
+   it, so once per creation or restart is enough.
+   Cost: 60 products of the stiffness matrix. Parallel: ghosts get their motion from their owners in each iteration;
+   sums over all ranks; the same start on any number of ranks. */
 
 #ifndef FRAZIL_BOND_FREQUENCY_H
 #define FRAZIL_BOND_FREQUENCY_H

@@ -1,6 +1,7 @@
-/* The law of parallel_bond.h on a block of bonds at once: every number of the block lies in a row of its own, so that the
-   compiler turns the loop over bonds into vector instructions (AVX-512 or AVX2 where the processor has them). All
-   instruction sets round alike (no fused multiply-add), so results do not depend on the processor or on a bond's place in its block. */
+/* The law of parallel_bond.h on a block of bonds at once: every number of the block lies in a row of its own, so that
+   the compiler turns the loop over bonds into vector instructions (AVX-512 or AVX2 where the processor has them). All
+   instruction sets round alike (no fused multiply-add), so results do not depend on the processor or on a bond's place
+   in its block. */
 
 #ifndef FRAZIL_BOND_KERNEL_H
 #define FRAZIL_BOND_KERNEL_H

@@ -1,5 +1,5 @@
-/* What the user says of the bonds: the words behind `bond/parallel`, read and checked. Units: SI, angles in degrees in the
-   words and as their tangent here. */
+/* What the user says of the bonds: the words behind `bond/parallel`, read and checked. Units: SI, angles in degrees in
+   the words and as their tangent here. */
 
 #ifndef FRAZIL_BOND_OPTIONS_H
 #define FRAZIL_BOND_OPTIONS_H

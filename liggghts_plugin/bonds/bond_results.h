@@ -46,7 +46,8 @@ struct BondEvent {
 BondEvent eventOf(const BondTable& table, std::size_t k, const BondMaterial& material, bool shear, double time,
                   const Vec3& x1);
 
-/// Writes events in the order of time and ids, with the header if the file is empty. False if the file cannot be written.
+/// Writes events in the order of time and ids, with the header if the file is empty. False if the file cannot be
+/// written.
 bool writeEvents(const std::string& path, bool append, std::vector<BondEvent>& events);
 
 } // namespace frazil

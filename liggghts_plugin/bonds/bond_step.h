@@ -1,8 +1,9 @@
-/* One time step of all bonds of a rank: Cayley vector of each sphere's rotation; then per block of bonds gather positions
-   and rotations, advance the law (bond_kernel.h), note what exceeds its strength, add forces and torques to both spheres.
+/* One time step of all bonds of a rank: Cayley vector of each sphere's rotation; then per block of bonds gather
+   positions and rotations, advance the law (bond_kernel.h), note what exceeds its strength, add forces and torques to
+   both spheres.
 
-   A bond that breaks gives no load in that step any more. Both ranks of a bond across them see the same numbers, so both
-   break it in the same step without a message.
+   A bond that breaks gives no load in that step any more. Both ranks of a bond across them see the same numbers, so
+   both break it in the same step without a message.
    Cost: one pass over contiguous columns. Parallel: no messages; what is added to a ghost is never read, because its
    owner has its own copy of the bond. */
 
@@ -37,8 +38,8 @@ class BondStep
   public:
     double damped = 0; ///< energy that the dashpots have taken so far, of the owned spheres' halves [J]
 
-    /// A step of dt [s]. Where nothing has moved (a set-up), loads follow from the state as it is, and those of the dashpots
-    /// from the velocities, as over a step that ends here.
+    /// A step of dt [s]. Where nothing has moved (a set-up), loads follow from the state as it is, and those of the
+    /// dashpots from the velocities, as over a step that ends here.
     void advance(BondTable& table, const BondMaterial& material, const BondSpheres& spheres, double dt, bool moved);
 
     /// Bonds that broke in the last step, in the order of their rows.

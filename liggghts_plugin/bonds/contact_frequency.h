@@ -25,7 +25,8 @@ struct ContactModuli {
     {
     }
 
-    /// Square of the largest frequency of a pair [1/s2]: radius R* and overlap [m], sum of 1/m [1/kg] and of R^2/I [1/kg].
+    /// Square of the largest frequency of a pair [1/s2]: radius R* and overlap [m], sum of 1/m [1/kg] and of R^2/I
+    /// [1/kg].
     double frequencySquared(double radius, double overlap, double perMass, double perInertia) const
     {
         const double root = std::sqrt(radius * overlap);

@@ -21,7 +21,7 @@ void handle(int signal, void (*handler)(int))
     struct sigaction action;
     std::memset(&action, 0, sizeof(action));
     action.sa_handler = handler;
-    sigaction(signal, &action, NULL);
+    sigaction(signal, &action, nullptr);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
-/* The words behind the style of a fix or compute, as the strict settings that dictionaries give (dualgrid/core/Settings.h):
-   one form of error for both programs, with keyword, value, problem, cure and "did you mean". */
+/* The words behind the style of a fix or compute, as the strict settings that dictionaries give
+   (dualgrid/core/Settings.h): one form of error for both programs, with keyword, value, problem, cure and "did you
+   mean". */
 
 #ifndef FRAZIL_SCRIPT_WORDS_H
 #define FRAZIL_SCRIPT_WORDS_H

@@ -42,6 +42,19 @@ Vec3 turnedAbout(const Vec3& v, const Vec3& n, double angle)
     return v * std::cos(angle) + cross(n, v) * std::sin(angle) + n * (dot(n, v) * (1 - std::cos(angle)));
 }
 
+struct Dashpots {
+    double normal, shear, torsion, bending;
+};
+
+/// Fractions of critical, 2 sqrt(stiffness x inertia), of the four modes.
+Dashpots dashpots(const BondMaterial& m, double normal, double shear, double torsion, double bending, double mass,
+                  double inertia)
+{
+    auto c = [](double zeta, double k, double inert) { return 2 * zeta * std::sqrt(k * inert); };
+    return {c(m.damping.normal, normal, mass), c(m.damping.shear, shear, mass), c(m.damping.torsion, torsion, inertia),
+            c(m.damping.bending, bending, inertia)};
+}
+
 Reference reference(const BondState& old, const BondShape& shape, const BondMaterial& m, const Vec3& d, const Vec3& t1,
                     const Vec3& t2, double mass, double inertia, double rate)
 {
@@ -53,8 +66,7 @@ Reference reference(const BondState& old, const BondShape& shape, const BondMate
     const Vec3 slip =
         perpendicular(d - old.separation - cross(shape.share * t1 + (1 - shape.share) * t2, centre), middle);
     const Vec3 bend = perpendicular(t2 - t1, middle);
-    const double twist = 0.5 * dot(t2 - t1, n0 + n1);
-    const double spin = 2 * std::atan(0.25 * dot(0.5 * (t1 + t2), n0 + n1));
+    const double twist = 0.5 * dot(t2 - t1, n0 + n1), spin = 2 * std::atan(0.25 * dot(0.5 * (t1 + t2), n0 + n1));
     // Half of an increment acts before the turn. It is perpendicular to the middle direction; the part of it along n1 goes.
     auto carried = [&](const Vec3& v, const Vec3& more) {
         const Vec3 first = 0.5 * (more - (n0 + n1) * (dot(more, n1) / (1 + dot(n0, n1))));
@@ -71,13 +83,12 @@ Reference reference(const BondState& old, const BondShape& shape, const BondMate
     r.tension = sigma / (shape.strength * m.tensileStrength);
     r.shearUse = tau / (shape.strength * m.shearStrength + m.frictionTan * std::max(0.0, -axial));
     if (m.damping.any()) {
-        auto c = [](double zeta, double k, double inert) { return 2 * zeta * std::sqrt(k * inert); };
-        const double cn = c(m.damping.normal, kn * area, mass), cs = c(m.damping.shear, ks * area, mass);
-        const double ct = c(m.damping.torsion, ks * j, inertia), cb = c(m.damping.bending, kn * i, inertia);
-        force += rate * (cn * stretch * n1 + cs * slip);
-        moment += rate * (ct * twist * n1 + cb * bend);
-        r.power =
-            rate * rate * (cn * stretch * stretch + cs * dot(slip, slip) + ct * twist * twist + cb * dot(bend, bend));
+        const Dashpots c = dashpots(m, kn * area, ks * area, ks * j, kn * i, mass, inertia);
+        force += rate * (c.normal * stretch * n1 + c.shear * slip);
+        moment += rate * (c.torsion * twist * n1 + c.bending * bend);
+        r.power = rate * rate *
+                  (c.normal * stretch * stretch + c.shear * dot(slip, slip) + c.torsion * twist * twist +
+                   c.bending * dot(bend, bend));
     }
     r.force = force;
     r.torque1 = shape.share * cross(d, force) + moment;

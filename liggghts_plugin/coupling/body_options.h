@@ -1,4 +1,5 @@
-/* What the user says of a rigid body: the words behind `body/rigid`, read and checked, and the motion that they start. SI. */
+/* What the user says of a rigid body: the words behind `body/rigid`, read and checked, and the motion that they start.
+   SI. */
 
 #ifndef FRAZIL_BODY_OPTIONS_H
 #define FRAZIL_BODY_OPTIONS_H

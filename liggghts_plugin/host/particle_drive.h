@@ -6,9 +6,9 @@
      move                             prescribed; by the force along axes that are NULL; the torque turns nothing
      nve/noforce, nve/sph/stationary  prescribed, at constant velocity
      freeze                           no force acts, whatever integrates
-   A particle of several groups: a prescribed motion goes before freeze, and freeze before the force.
-   A style that is not in this list is refused: taken for the other kind, it would be given, and would give to the fluid,
-   the added-mass force of an acceleration that it does not have.
+   A particle of several groups: a prescribed motion goes before freeze, and freeze before the force. A style that is
+   not in this list is refused: taken for the other kind, it would be given, and would give to the fluid, the added-mass
+   force of an acceleration that it does not have.
    Cost: a few bit operations per particle and question. Parallel: the same on all ranks. */
 
 #ifndef FRAZIL_PARTICLE_DRIVE_H

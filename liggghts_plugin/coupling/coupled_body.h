@@ -27,8 +27,8 @@ class CoupledBody
 
 std::vector<frazil::BodyState> statesOf(const std::vector<CoupledBody*>& bodies);
 
-/// Gives each body its load, by name, whatever their order. std::runtime_error on a load without a body and the other way
-/// round: the handshake has compared the names, but fixes may come and go between runs.
+/// Gives each body its load, by name, whatever their order. std::runtime_error on a load without a body and the other
+/// way round: the handshake has compared the names, but fixes may come and go between runs.
 void setLoads(const std::vector<CoupledBody*>& bodies, const std::vector<frazil::BodyLoad>& loads);
 
 } // namespace LAMMPS_NS

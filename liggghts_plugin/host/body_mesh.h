@@ -1,8 +1,8 @@
 /* The surface mesh of a rigid body: a fix mesh/surface/stress that the body moves, and whose contact force it takes.
 
-   LIGGGHTS's contact law reads the velocity of the mesh's nodes from the element property "v" and adds the contacts to the
-   mesh's force and torque, which the mesh zeroes before the forces and sums over the ranks after them; in a set-up it does
-   neither. Cost: one pass over the local triangles per step. Parallel: all ranks move the same body. */
+   LIGGGHTS's contact law reads the velocity of the mesh's nodes from the element property "v" and adds the contacts to
+   the mesh's force and torque, which the mesh zeroes before the forces and sums over the ranks after them; in a set-up
+   it does neither. Cost: one pass over the local triangles per step. Parallel: all ranks move the same body. */
 
 #ifndef FRAZIL_BODY_MESH_H
 #define FRAZIL_BODY_MESH_H

@@ -25,10 +25,10 @@ struct CarriedParticle {
     /// Share of its volume that an inserted particle displaces, over a ramp of this length [s].
     double displacing(double ramp) const { return age < ramp ? age / ramp : 1; }
 
-    /// Adds to `motion` the force and the acceleration over the fluid step of `deltaT` [s] that ends, for the prediction of
-    /// the particle's answer to the pressure, and begins the next step. The pressure that acts now was made by the step that
-    /// ends, from the volume that moved in the step before; so its acceleration is the difference of the two mean
-    /// velocities before the last.
+    /// Adds to `motion` the force and the acceleration over the fluid step of `deltaT` [s] that ends, for the
+    /// prediction of the particle's answer to the pressure, and begins the next step. The pressure that acts now was
+    /// made by the step that ends, from the volume that moved in the step before; so its acceleration is the difference
+    /// of the two mean velocities before the last.
     void endStep(double deltaT, ParticleMotion& motion)
     {
         motion.otherForce = others / deltaT;
