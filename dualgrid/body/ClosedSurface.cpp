@@ -13,11 +13,13 @@
 
 #include "InputError.h"
 
-namespace frazil {
+namespace frazil
+{
 
-namespace {
+namespace
+{
 
-constexpr double joinTolerance = 1e-6;  // of the surface's diagonal
+constexpr double joinTolerance = 1e-6; // of the surface's diagonal
 constexpr std::size_t binaryHeader = 84, binaryTriangle = 50;
 
 InputError notStl(const std::string& path, const std::string& problem)
@@ -45,14 +47,15 @@ std::uint32_t binaryCount(const std::string& bytes)
 // The length decides, because binary files may also begin with the word "solid".
 bool isBinary(const std::string& bytes)
 {
-    return bytes.size() >= binaryHeader && bytes.size() == binaryHeader + binaryTriangle * std::size_t(binaryCount(bytes));
+    return bytes.size() >= binaryHeader &&
+           bytes.size() == binaryHeader + binaryTriangle * std::size_t(binaryCount(bytes));
 }
 
 std::vector<Triangle> parseBinary(const std::string& bytes)
 {
     std::vector<Triangle> triangles(binaryCount(bytes));
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        float values[12];  // normal (not used: the corners' order defines it), then three corners
+        float values[12]; // normal (not used: the corners' order defines it), then three corners
         std::memcpy(values, bytes.data() + binaryHeader + binaryTriangle * t, sizeof(values));
         for (int corner = 0; corner < 3; ++corner) {
             const float* v = values + 3 + 3 * corner;
@@ -68,14 +71,18 @@ std::vector<Triangle> parseAscii(const std::string& bytes, const std::string& pa
     std::string word;
     std::vector<Vec3> corners;
     while (in >> word) {
-        if (word != "vertex") { continue; }
+        if (word != "vertex") {
+            continue;
+        }
         Vec3 p;
         if (!(in >> p.x >> p.y >> p.z)) {
             throw notStl(path, fmt::format("vertex {} has no three numbers", corners.size() + 1));
         }
         corners.push_back(p);
     }
-    if (corners.size() % 3 != 0) { throw notStl(path, fmt::format("{} vertices are no triangles", corners.size())); }
+    if (corners.size() % 3 != 0) {
+        throw notStl(path, fmt::format("{} vertices are no triangles", corners.size()));
+    }
     std::vector<Triangle> triangles(corners.size() / 3);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         triangles[t] = {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};
@@ -98,7 +105,7 @@ struct BucketHash {
 
 class Joiner
 {
-public:
+  public:
     Joiner(const Vec3& origin, double tolerance) : origin_(origin), tolerance_(tolerance) {}
 
     int join(const Vec3& p)
@@ -107,7 +114,9 @@ public:
         for (int n = 0; n < 27; ++n) {
             const Bucket b{centre.x + n % 3 - 1, centre.y + n / 3 % 3 - 1, centre.z + n / 9 - 1};
             const auto found = index_.find(b);
-            if (found != index_.end() && norm(points[found->second] - p) <= tolerance_) { return found->second; }
+            if (found != index_.end() && norm(points[found->second] - p) <= tolerance_) {
+                return found->second;
+            }
         }
         const int added = int(points.size());
         points.push_back(p);
@@ -117,7 +126,7 @@ public:
 
     std::vector<Vec3> points;
 
-private:
+  private:
     Bucket bucketOf(const Vec3& p) const
     {
         const Vec3 r = (p - origin_) / tolerance_;
@@ -144,18 +153,24 @@ std::map<Edge, std::array<int, 2>> walkEdges(const IndexedSurface& surface)
     return walks;
 }
 
-std::string show(const Vec3& p) { return fmt::format("({:.6g} {:.6g} {:.6g})", p.x, p.y, p.z); }
+std::string show(const Vec3& p)
+{
+    return fmt::format("({:.6g} {:.6g} {:.6g})", p.x, p.y, p.z);
+}
 
 struct BadEdges {
     int count = 0;
     Edge first{};
     void add(const Edge& edge)
     {
-        if (count++ == 0) { first = edge; }
+        if (count++ == 0) {
+            first = edge;
+        }
     }
     std::string where(const IndexedSurface& s) const
     {
-        return fmt::format("{}, the first from {} to {} m", count, show(s.points[first.first]), show(s.points[first.second]));
+        return fmt::format("{}, the first from {} to {} m", count, show(s.points[first.first]),
+                           show(s.points[first.second]));
     }
 };
 
@@ -192,13 +207,18 @@ void checkEdges(const IndexedSurface& surface, const std::string& file, const st
 std::vector<Triangle> readStl(const std::string& path)
 {
     const std::string bytes = readBytes(path);
-    if (isBinary(bytes)) { return parseBinary(bytes); }
+    if (isBinary(bytes)) {
+        return parseBinary(bytes);
+    }
     const std::size_t start = bytes.find_first_not_of(" \t\r\n");
     if (start == std::string::npos || bytes.compare(start, 5, "solid") != 0) {
-        throw notStl(path, "the file is neither ascii STL (first word 'solid') nor binary STL (84 + 50 bytes per triangle)");
+        throw notStl(path,
+                     "the file is neither ascii STL (first word 'solid') nor binary STL (84 + 50 bytes per triangle)");
     }
     std::vector<Triangle> triangles = parseAscii(bytes, path);
-    if (triangles.empty()) { throw notStl(path, "the file holds no triangles"); }
+    if (triangles.empty()) {
+        throw notStl(path, "the file holds no triangles");
+    }
     return triangles;
 }
 
@@ -225,7 +245,9 @@ IndexedSurface joinCorners(const std::vector<Triangle>& triangles)
     for (const Triangle& t : triangles) {
         const std::array<int, 3> corners{joiner.join(t[0]), joiner.join(t[1]), joiner.join(t[2])};
         const bool flat = corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
-        if (!flat) { surface.triangles.push_back(corners); }
+        if (!flat) {
+            surface.triangles.push_back(corners);
+        }
     }
     surface.points = std::move(joiner.points);
     return surface;
@@ -239,8 +261,7 @@ void checkClosed(const std::vector<Triangle>& triangles, const std::string& file
     checkEdges(joinCorners(triangles), file, key);
     const double volume = massProperties(triangles, 1.0).volume;
     if (!(volume > 0)) {
-        throw InputError(file, key, "",
-                         fmt::format("the surface is inside out: its volume is {:.6g} m3", volume),
+        throw InputError(file, key, "", fmt::format("the surface is inside out: its volume is {:.6g} m3", volume),
                          "Flip all normals so that they point out of the body.");
     }
 }
@@ -251,7 +272,7 @@ MassProperties massProperties(const std::vector<Triangle>& triangles, double den
     const Vec3 origin = 0.5 * (box.min + box.max);
     double volume = 0;
     Vec3 first;            // ∫x dV
-    double second[6] = {};  // ∫xx yy zz xy xz yz dV
+    double second[6] = {}; // ∫xx yy zz xy xz yz dV
     constexpr int axes[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
     for (const Triangle& t : triangles) {
         const Vec3 a = t[0] - origin, b = t[1] - origin, c = t[2] - origin;
@@ -266,13 +287,19 @@ MassProperties massProperties(const std::vector<Triangle>& triangles, double den
         }
     }
     const Vec3 centre = first / volume;
-    for (int m = 0; m < 6; ++m) { second[m] -= volume * centre[axes[m][0]] * centre[axes[m][1]]; }
+    for (int m = 0; m < 6; ++m) {
+        second[m] -= volume * centre[axes[m][0]] * centre[axes[m][1]];
+    }
     MassProperties p;
     p.volume = volume;
     p.mass = density * volume;
     p.centre = centre + origin;
-    p.inertia = {density * (second[1] + second[2]), density * (second[0] + second[2]), density * (second[0] + second[1]),
-                 -density * second[3], -density * second[4], -density * second[5]};
+    p.inertia = {density * (second[1] + second[2]),
+                 density * (second[0] + second[2]),
+                 density * (second[0] + second[1]),
+                 -density * second[3],
+                 -density * second[4],
+                 -density * second[5]};
     return p;
 }
 

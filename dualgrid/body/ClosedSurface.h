@@ -14,22 +14,23 @@
 
 #include "Box.h"
 
-namespace frazil {
+namespace frazil
+{
 
 /// Corners [m], counter-clockwise seen from outside.
 using Triangle = std::array<Vec3, 3>;
 
 struct MassProperties {
-    double volume = 0;                ///< [m3]
-    double mass = 0;                  ///< [kg]
-    Vec3 centre;                      ///< centre of mass [m]
-    std::array<double, 6> inertia{};  ///< tensor about the centre: xx yy zz xy xz yz, xy = -∫ρ x y dV [kg m2]
+    double volume = 0;               ///< [m3]
+    double mass = 0;                 ///< [kg]
+    Vec3 centre;                     ///< centre of mass [m]
+    std::array<double, 6> inertia{}; ///< tensor about the centre: xx yy zz xy xz yz, xy = -∫ρ x y dV [kg m2]
 };
 
 /// Triangles that share their corners.
 struct IndexedSurface {
     std::vector<Vec3> points;                  ///< [m]
-    std::vector<std::array<int, 3>> triangles;  ///< without those that have no area because corners coincide
+    std::vector<std::array<int, 3>> triangles; ///< without those that have no area because corners coincide
 };
 
 /// Read an STL file, ascii or binary. InputError if it is missing or is not STL.

@@ -9,7 +9,8 @@
 #include "ClosedSurface.h"
 #include "Sphere.h"
 
-namespace frazil::shapes {
+namespace frazil::shapes
+{
 
 /// Box from `lo` to `hi`, 12 triangles.
 inline std::vector<Triangle> box(const Vec3& lo, const Vec3& hi)
@@ -40,8 +41,12 @@ inline std::vector<Triangle> revolve(const std::vector<std::array<double, 2>>& p
     for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
         for (int s = 0; s < sectors; ++s) {
             const Vec3 a = p(i, s), b = p(i, s + 1), c = p(i + 1, s + 1), d = p(i + 1, s);
-            if (profile[i][0] > 0) { out.push_back({a, b, c}); }
-            if (profile[i + 1][0] > 0) { out.push_back({a, c, d}); }
+            if (profile[i][0] > 0) {
+                out.push_back({a, b, c});
+            }
+            if (profile[i + 1][0] > 0) {
+                out.push_back({a, c, d});
+            }
         }
     }
     return out;
@@ -73,7 +78,9 @@ inline void writeAscii(const std::vector<Triangle>& triangles, const std::string
     out << "solid body\n";
     for (const Triangle& t : triangles) {
         out << "facet normal 0 0 0\nouter loop\n";
-        for (const Vec3& p : t) { out << "vertex " << p.x << ' ' << p.y << ' ' << p.z << '\n'; }
+        for (const Vec3& p : t) {
+            out << "vertex " << p.x << ' ' << p.y << ' ' << p.z << '\n';
+        }
         out << "endloop\nendfacet\n";
     }
     out << "endsolid body\n";
@@ -89,7 +96,9 @@ inline void writeBinary(const std::vector<Triangle>& triangles, const std::strin
     for (const Triangle& t : triangles) {
         float values[12] = {};
         for (int c = 0; c < 3; ++c) {
-            for (int axis = 0; axis < 3; ++axis) { values[3 + 3 * c + axis] = float(t[c][axis]); }
+            for (int axis = 0; axis < 3; ++axis) {
+                values[3 + 3 * c + axis] = float(t[c][axis]);
+            }
         }
         out.write(reinterpret_cast<const char*>(values), sizeof(values));
         out.write("\0\0", 2);

@@ -11,7 +11,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 // The corners of the unit cube's faces, in order around each face
 constexpr int cubeFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
@@ -53,7 +54,7 @@ template <class Distance> double cutVolume(const Box& box, double size, const Ve
 }
 
 struct Smoothness {
-    double mean = 0, spread = 0;  // of cut volume / exact volume - 1
+    double mean = 0, spread = 0; // of cut volume / exact volume - 1
 };
 
 // The body shifted through one cell in `steps` steps along a direction that is no mesh direction
@@ -66,7 +67,8 @@ Smoothness volumeErrors(const std::vector<Triangle>& triangles, double size, dou
     Smoothness s;
     double least = 1e30, most = -1e30;
     for (int i = 0; i < steps; ++i) {
-        const double error = cutVolume(boundsOf(triangles), size, (double(i) / steps * size) * way, distance) / exact - 1;
+        const double error =
+            cutVolume(boundsOf(triangles), size, (double(i) / steps * size) * way, distance) / exact - 1;
         s.mean += error / steps;
         least = std::min(least, error);
         most = std::max(most, error);

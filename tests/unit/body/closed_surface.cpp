@@ -6,7 +6,8 @@
 
 using namespace frazil;
 
-namespace {
+namespace
+{
 
 std::string messageOf(const std::vector<Triangle>& triangles)
 {
@@ -29,7 +30,9 @@ TEST(ClosedSurface, BoxFarFromTheOrigin)
     EXPECT_NEAR(m.inertia[0], 12.0 / 12 * (4 + 9), 1e-10);
     EXPECT_NEAR(m.inertia[1], 12.0 / 12 * (1 + 9), 1e-10);
     EXPECT_NEAR(m.inertia[2], 12.0 / 12 * (1 + 4), 1e-10);
-    for (int i = 3; i < 6; ++i) { EXPECT_NEAR(m.inertia[i], 0, 1e-10); }
+    for (int i = 3; i < 6; ++i) {
+        EXPECT_NEAR(m.inertia[i], 0, 1e-10);
+    }
 }
 
 // A right-angled tetrahedron with legs 1: ∫xy dV = 1/120, centre at 1/4, so Ixy = -(1/120 - 1/6/16) ρ.
@@ -81,7 +84,9 @@ TEST(ClosedSurface, WrongOrientationIsRefused)
     std::swap(mixed[0][1], mixed[0][2]);
     EXPECT_NE(messageOf(mixed).find("disagree about the outside"), std::string::npos);
     auto inside = shapes::box({0, 0, 0}, {1, 1, 1});
-    for (Triangle& t : inside) { std::swap(t[1], t[2]); }
+    for (Triangle& t : inside) {
+        std::swap(t[1], t[2]);
+    }
     EXPECT_NE(messageOf(inside).find("inside out"), std::string::npos);
     EXPECT_EQ(messageOf(shapes::box({0, 0, 0}, {1, 1, 1})), "");
 }

@@ -123,8 +123,7 @@ TEST(Settings, WordsOfAScript)
         words.numbers("damping");
         FAIL();
     } catch (const InputError& wrong) {
-        EXPECT_STREQ(wrong.what(),
-                     "damping 0.1 nan: nan is not a number. Write it like 0.005 or 5e-3, in SI units.");
+        EXPECT_STREQ(wrong.what(), "damping 0.1 nan: nan is not a number. Write it like 0.005 or 5e-3, in SI units.");
     }
     try {
         words.number("young");

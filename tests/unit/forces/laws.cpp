@@ -8,8 +8,8 @@
 #include "DidYouMean.h"
 #include "DragLaws.h"
 #include "ForceModel.h"
-#include "PressureResponse.h"
 #include "InputError.h"
+#include "PressureResponse.h"
 
 using namespace frazil;
 
@@ -241,8 +241,9 @@ TEST(ForceModel, RefusesAnUnknownLaw)
         model({{"drag", "DiFellice"}});
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.what(), "constant/couplingProperties: forces.drag DiFellice: is not one of the choices (did you "
-                                "mean \"DiFelice\"?). Choose from: " +
-                                    joined(Catalogue<DragLaw>::names()) + ".");
+        EXPECT_EQ(error.what(),
+                  "constant/couplingProperties: forces.drag DiFellice: is not one of the choices (did you "
+                  "mean \"DiFelice\"?). Choose from: " +
+                      joined(Catalogue<DragLaw>::names()) + ".");
     }
 }

@@ -77,8 +77,10 @@ TEST(Columns, KeepEveryDigit)
         double x = 0.1;
         Vec3 v{1, 2, 3};
     };
-    const auto columns = Columns<Row>().add("x", "{:.17g}", &Row::x).addVector("v", "{}", &Row::v).add(
-        "twice", "{}", [](const Row& row) { return 2 * row.v.y; });
+    const auto columns = Columns<Row>()
+                             .add("x", "{:.17g}", &Row::x)
+                             .addVector("v", "{}", &Row::v)
+                             .add("twice", "{}", [](const Row& row) { return 2 * row.v.y; });
     EXPECT_EQ(columns.header(), "x,vX,vY,vZ,twice");
     EXPECT_EQ(columns.line(Row{}), "0.10000000000000001,1,2,3,4");
 }
