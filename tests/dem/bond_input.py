@@ -17,6 +17,7 @@ CASES = {
     "missing keyword": ("young 5e8 stiffness_ratio 1 tensile_strength 1e6", "",
                         ['keyword "shear_strength" is missing', "Add shear_strength <value>"]),
     "missing value": (NEEDED + " weibull 5", "", ["weibull 5: needs 2 values"]),
+    "value left out": ("young " + NEEDED.split(" ", 2)[2], "", ["young: needs 1 value"]),
     "no value": (NEEDED + " create_gap", "", ["create_gap: needs 1 value"]),
     "keyword twice": (NEEDED + " create_gap 0.1 create_gap 0.2", "", ["create_gap: stands twice"]),
     "bad seed": (NEEDED + " weibull 5 -3", "", ["weibull 5 -3: has no seed", "whole number"]),

@@ -63,6 +63,7 @@ def times_after_a_restart(check):
 
 def bad_input(check):
     for words, said in (("", 'keyword "N" is missing'), ("0", "N 0: must be above zero"), ("nan", "N nan: is not a whole number"),
+                        ("inf", "N inf: is not a whole number"), ("3000000000", "N 3000000000: is too large"),
                         (f"{EVERY} bons bonds", 'bons: unknown keyword (did you mean "bonds"?)'),
                         (f"{EVERY} file", "file: needs 1 value"), (f"{EVERY} file a file b", "file: stands twice")):
         run = check.run(script(f"fix out all results {words}\n"), expect_failure=True)
@@ -70,6 +71,8 @@ def bad_input(check):
     for keyword, style in (("fluid", "nve/sphere"), ("bonds", "nve/sphere")):
         run = check.run(script(f"fix out all results {EVERY} {keyword} nve\n"), ranks=2, expect_failure=True)
         check.true(f"{keyword} of another style", f"{keyword} nve: is a fix {style}, must be" in run.output)
+    run = check.run(script(f"fix out all results {EVERY} bonds bons\n"), expect_failure=True)
+    check.true("an ID almost right", 'bonds bons: there is no fix of this ID (did you mean "bonds"?)' in run.output)
     more = f"compute ke all ke/atom\nfix out all results {EVERY} fragment ke\n"
     run = check.run(script(more), ranks=2, expect_failure=True)
     check.true("fragment of another style", "fragment ke: is a compute ke/atom, must be a compute fragment" in run.output)

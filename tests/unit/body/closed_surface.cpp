@@ -19,6 +19,12 @@ std::string messageOf(const std::vector<Triangle>& triangles)
     return "";
 }
 
+/// A file of the test in the system's folder for such.
+std::string scratch(const std::string& name)
+{
+    return testing::TempDir() + name;
+}
+
 } // namespace
 
 TEST(ClosedSurface, BoxFarFromTheOrigin)
@@ -58,9 +64,9 @@ TEST(ClosedSurface, SphereAndProjectile)
 TEST(ClosedSurface, AsciiAndBinaryStlAreTheSame)
 {
     const auto triangles = shapes::sphere(0.01, 12);
-    shapes::writeAscii(triangles, "ascii.stl");
-    shapes::writeBinary(triangles, "binary.stl");
-    const auto ascii = readClosedStl("ascii.stl"), binary = readClosedStl("binary.stl");
+    shapes::writeAscii(triangles, scratch("ascii.stl"));
+    shapes::writeBinary(triangles, scratch("binary.stl"));
+    const auto ascii = readClosedStl(scratch("ascii.stl")), binary = readClosedStl(scratch("binary.stl"));
     ASSERT_EQ(ascii.size(), triangles.size());
     ASSERT_EQ(binary.size(), triangles.size());
     const double exact = massProperties(triangles, 1).volume;
@@ -94,8 +100,8 @@ TEST(ClosedSurface, WrongOrientationIsRefused)
 TEST(ClosedSurface, FilesThatAreNotStl)
 {
     EXPECT_THROW(readStl("not_there.stl"), InputError);
-    std::ofstream("words.stl") << "these are words";
-    EXPECT_THROW(readStl("words.stl"), InputError);
-    std::ofstream("half.stl") << "solid x\nfacet\nvertex 0 0 0\nvertex 1 0 0\n";
-    EXPECT_THROW(readStl("half.stl"), InputError);
+    std::ofstream(scratch("words.stl")) << "these are words";
+    EXPECT_THROW(readStl(scratch("words.stl")), InputError);
+    std::ofstream(scratch("half.stl")) << "solid x\nfacet\nvertex 0 0 0\nvertex 1 0 0\n";
+    EXPECT_THROW(readStl(scratch("half.stl")), InputError);
 }

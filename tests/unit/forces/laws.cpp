@@ -1,8 +1,11 @@
-/// Each drag law against a value worked out by hand from its published, dimensional form.
+/// Each drag law against values worked out by hand from its published, dimensional form (to 1e-5), its limits, and the
+/// forces that the model makes of it.
 ///
 /// Hand calculations: ρ = 1000 kg/m3, μ = 1e-3 Pa s, D = 2 mm, hence A = 3.14159e-6 m2, V = 4.18879e-9 m3,
 /// 3πμD = 1.884956e-5 kg/s and Re = αf 2e6 s/m |ur|.
 #include <gtest/gtest.h>
+
+#include <map>
 
 #include "Catalogue.h"
 #include "DidYouMean.h"
@@ -106,11 +109,112 @@ TEST(Beetstra, Bed)
     EXPECT_NEAR(Beetstra{}(1e-9, 0.5), Beetstra{}(0, 0.5), 1e-4);
 }
 
-TEST(DragLaws, AllReduceToASphereInStokesFlow)
+namespace
 {
-    // Wen & Yu, Koch & Hill, Beetstra, Schiller & Naumann: F = 1 exactly; Di Felice's is 0.96.
-    EXPECT_DOUBLE_EQ(WenYu{}(0, 1), 1);
-    EXPECT_DOUBLE_EQ(Gidaspow{}(0, 1), 1);
+
+struct Value {
+    double re, fluidFraction, drag; ///< F(Re, αf)
+};
+
+/// Worked out from the published, dimensional formulas alone (K from the force or from β, with the slip that belongs to
+/// Re), F = K/(3πμD); dilute, dense, both branches of Gidaspow, Koch & Hill and Schiller & Naumann.
+const std::map<std::string, std::vector<Value>> byHand{
+    {"DiFelice",
+     {{0.1, 0.95, 1.19427},
+      {1, 0.9, 1.5969},
+      {10, 0.7, 4.10387},
+      {100, 0.5, 22.415},
+      {400, 0.45, 82.1109},
+      {1200, 0.85, 44.4339}}},
+    {"Gidaspow",
+     {{0.1, 0.95, 1.18093},
+      {1, 0.9, 1.52039},
+      {10, 0.7, 4.96032},
+      {100, 0.5, 27.7778},
+      {400, 0.45, 96.6049},
+      {1200, 0.85, 33.8425}}},
+    {"SchillerNaumann",
+     {{0.1, 0.95, 1.03194},
+      {1, 0.9, 1.16126},
+      {10, 0.7, 1.9322},
+      {100, 0.5, 6.71346},
+      {400, 0.45, 16.9202},
+      {1200, 0.85, 25.8824}}},
+    {"KochHill",
+     {{0.1, 0.95, 1.75436},
+      {1, 0.9, 2.33857},
+      {10, 0.7, 5.28316},
+      {100, 0.5, 21.4463},
+      {400, 0.45, 70.5892},
+      {1200, 0.85, 68.4291}}},
+    {"Beetstra",
+     {{0.1, 0.95, 1.67665},
+      {1, 0.9, 2.24834},
+      {10, 0.7, 5.79555},
+      {100, 0.5, 25.2067},
+      {400, 0.45, 74.0323},
+      {1200, 0.85, 58.0051}}},
+    {"none", {{0.1, 0.95, 0}, {1200, 0.5, 0}}},
+};
+
+/// F of a single sphere as Re -> 0: Stokes' 1, Di Felice's own limit 4.8²/24.
+const std::map<std::string, double> stokesLimit{{"DiFelice", 0.96}, {"Gidaspow", 1}, {"SchillerNaumann", 1},
+                                                {"KochHill", 1},    {"Beetstra", 1}, {"none", 0}};
+
+double drag(const std::string& name, double re, double fluidFraction)
+{
+    Settings settings("constant/couplingProperties", "forces");
+    settings.set("drag", name);
+    return std::visit([&](const auto& law) { return law(re, fluidFraction); },
+                      Catalogue<DragLaw>::choose(settings, "drag"));
+}
+
+} // namespace
+
+/// A law that joins the catalogue without values here fails.
+TEST(DragLaws, EveryLawOfTheCatalogueHasItsPublishedValues)
+{
+    for (const std::string& name : Catalogue<DragLaw>::names()) {
+        ASSERT_EQ(byHand.count(name), 1u) << name << " has no values worked out by hand";
+        for (const Value& value : byHand.at(name))
+            EXPECT_NEAR(drag(name, value.re, value.fluidFraction), value.drag, 1e-5 * value.drag)
+                << name << " at Re " << value.re << ", αf " << value.fluidFraction;
+    }
+}
+
+TEST(DragLaws, EveryLawHasItsStokesLimit)
+{
+    for (const std::string& name : Catalogue<DragLaw>::names()) {
+        ASSERT_EQ(stokesLimit.count(name), 1u) << name << " has no limit worked out by hand";
+        EXPECT_DOUBLE_EQ(drag(name, 0, 1), stokesLimit.at(name)) << name;
+        EXPECT_NEAR(drag(name, 1e-10, 1), stokesLimit.at(name), 1e-4) << name;
+    }
+}
+
+/// More solid, more drag; faster, more drag: over all Re and αf but where Gidaspow and Koch & Hill jump, as published.
+TEST(DragLaws, GrowWithSolidAndSpeed)
+{
+    for (const std::string& name : Catalogue<DragLaw>::names()) {
+        for (const double re : {0.01, 1.0, 50.0, 500.0}) {
+            for (double e = 0.45; e < 0.99; e += 0.03) {
+                const double one = drag(name, re, e);
+                EXPECT_GE(drag(name, 1.2 * re, e), one) << name << ", Re " << re << ", αf " << e;
+                const bool jumps = (name == "Gidaspow" && e < 0.8 && e + 0.03 >= 0.8) ||
+                                   (name == "KochHill" && e <= 0.6 && e + 0.03 > 0.6);
+                EXPECT_TRUE(jumps || drag(name, re, e + 0.03) <= one) << name << ", Re " << re << ", αf " << e;
+            }
+        }
+    }
+}
+
+TEST(SchillerNaumann, ItsLimits)
+{
+    // Re -> 0: F - 1 = 0.15 Re^0.687, 0.15 x 10^(-4.122) = 1.13263e-5 at Re = 1e-6
+    EXPECT_NEAR(SchillerNaumann{}(1e-6, 1) - 1, 1.13263e-5, 1e-10);
+    // Cd = 24/999.999 (1 + 0.15 x 115.0800) = 0.438289 just below Re = 1000, Newton's 0.44 from there on
+    EXPECT_NEAR(SchillerNaumann::cdRe(999.999) / 999.999, 0.438289, 1e-6);
+    for (const double re : {1000.0, 3e4, 2e5})
+        EXPECT_DOUBLE_EQ(SchillerNaumann::cdRe(re) / re, 0.44);
 }
 
 TEST(ForceModel, PressureGradientIsBuoyancyAndHasNoOtherPart)
