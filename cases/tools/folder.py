@@ -46,7 +46,9 @@ def copy_dem(script, run, numbers, start=None, name=None):
 
 
 def words(value):
-    """A number, or several."""
+    """A number, several, or words of a command: in quotes, because there may be none."""
+    if isinstance(value, str):
+        return f'"{value}"'
     return " ".join(map(text, value)) if isinstance(value, list) else text(value)
 
 

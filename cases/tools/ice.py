@@ -63,6 +63,12 @@ def critical_step(diameter, density, young, stiffness_ratio):
     return 2 / math.sqrt(max(8 * normal, 45 * normal / stiffness_ratio) * area / mass)
 
 
+def weibull(parameters):
+    """Words for fix bond/parallel that scatter its strengths; none where the modulus is 0: all bonds are equally strong."""
+    modulus, seed = parameters["weibull_modulus"], parameters["weibull_seed"]
+    return f"weibull {modulus:g} {seed}" if modulus else ""
+
+
 def write_data(path, points, diameter, density, box, types):
     """LIGGGHTS data file of `atom_style granular`: id type diameter density x y z. box: ((x, X), (y, Y), (z, Z))."""
     with open(path, "w") as data:
