@@ -1,7 +1,8 @@
 """What the check scripts share: read the run folder, say PASS or FAIL."""
-import csv
 import sys
 from pathlib import Path
+
+from launcher.table import read_columns
 
 
 def run_folder():
@@ -16,10 +17,7 @@ def table(path):
     if not path.is_file():
         print(f"FAIL {path.name}: the run left none (expected in {path.parent})")
         sys.exit(1)
-    with open(path) as file:
-        rows = [row for row in csv.reader(file) if row]
-    names = [name.strip(" #") for name in rows[0]]
-    return {name: [float(row[n]) for row in rows[1:] if len(row) == len(names)] for n, name in enumerate(names)}
+    return read_columns(path)
 
 
 class Checks:

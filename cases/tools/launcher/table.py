@@ -1,4 +1,4 @@
-"""history.csv: while it grows, and as columns."""
+"""CSV files: history.csv while it grows, and any as columns."""
 from __future__ import annotations
 
 import csv
@@ -35,11 +35,17 @@ def speed(row: dict[str, float]) -> float | None:
     return sum(part * part for part in parts) ** 0.5 if None not in parts else None
 
 
-def read_columns(path: Path) -> dict[str, list[float]]:
-    """A CSV file as columns."""
+def read_rows(path: Path) -> tuple[list[str], list[list[str]]]:
+    """(column names, rows of words) of a CSV file that may still grow: a last line without its end does not count."""
     if not path.is_file():
-        return {}
-    with path.open() as stream:
-        rows = list(csv.reader(stream))
-    names = [word.strip(" #") for word in rows[0]]
-    return {name: [float(row[index]) for row in rows[1:] if len(row) == len(names)] for index, name in enumerate(names)}
+        return [], []
+    text = path.read_bytes()
+    rows = list(csv.reader(text[: text.rfind(b"\n") + 1].decode().splitlines()))
+    names = [word.strip(" #") for word in rows[0]] if rows else []
+    return names, [row for row in rows[1:] if len(row) == len(names)]
+
+
+def read_columns(path: Path) -> dict[str, list[float]]:
+    """A CSV file of numbers as columns."""
+    names, rows = read_rows(path)
+    return {name: [float(row[index]) for row in rows] for index, name in enumerate(names)}
