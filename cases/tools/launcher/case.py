@@ -18,7 +18,7 @@ def find_case(name: str) -> Path:
 
 def read(case: Path) -> dict:
     """case.json: title, question, levels with their parameters, default_level, np (ranks), pair (false: no fluid),
-    picture (a script of cases/tools), test (parameters with which the case is tested)."""
+    picture (a script of cases/tools), test (parameters with which the case is tested), units (of the parameters that have one)."""
     try:
         return json.loads((case / "case.json").read_text())
     except json.JSONDecodeError as error:
@@ -28,6 +28,12 @@ def read(case: Path) -> dict:
 def shipped() -> list[str]:
     """Names of the cases under cases/: every folder with a case.json."""
     return sorted(path.parent.name for path in (places.TOP / "cases").glob("*/case.json"))
+
+
+def fits(value: object, old: object) -> bool:
+    """Whether a parameter's new value is of the kind of the old one."""
+    kinds = [float if isinstance(item, (int, float)) and not isinstance(item, bool) else type(item) for item in (value, old)]
+    return kinds[0] is kinds[1]
 
 
 def override(params: dict, settings: list[str]) -> dict:
@@ -41,9 +47,7 @@ def override(params: dict, settings: list[str]) -> dict:
             value = json.loads(text)
         except json.JSONDecodeError:
             value = text
-        kinds = [float if isinstance(item, (int, float)) and not isinstance(item, bool) else type(item)
-                 for item in (value, params[key])]
-        if kinds[0] is not kinds[1]:
+        if not fits(value, params[key]):
             raise Failure(f"--set {setting}: {key} is like {json.dumps(params[key])}, {text!r} is not.")
         result[key] = value
     return result

@@ -14,7 +14,7 @@ from .case import find_case, read, shipped
 from .environment import environment
 from .results import check, link_results, picture, plot, summary, write_metrics
 from .resume import resume
-from .run import plan, prepare
+from .run import plan, prepare, Run
 from .say import Failure
 from .watch import start_programs, watch
 
@@ -37,12 +37,17 @@ def test(arguments: argparse.Namespace) -> int:
 
 
 def run_case(arguments: argparse.Namespace) -> int:
-    """Sets up, prepares a run folder, runs the pair in it and reports."""
+    """Sets up and runs a case."""
     run = resume(arguments) if arguments.resume else plan(arguments)
     setup()
     ranks = f"frazilDem on {run.np_dem}" + (f", frazilFoam on {run.np_foam}" if run.np_foam else "")
     print(f"{run.title}: {ranks} ranks, in {run.folder}", flush=True)
-    if not arguments.resume:
+    return carry_out(run, fresh=not arguments.resume)
+
+
+def carry_out(run: Run, fresh: bool) -> int:
+    """Prepares a new run folder, runs the programs in it and reports; the exit status of the case's check."""
+    if fresh:
         prepare(run)
     seconds = watch(run, start_programs(run))
     metrics = write_metrics(run, seconds)
@@ -56,6 +61,14 @@ def run_case(arguments: argparse.Namespace) -> int:
     picture(run)
     print(f"results: {run.folder}")
     return status
+
+
+def sweep(arguments: argparse.Namespace) -> int:
+    """Runs a case at many points. Its modules need more packages than the rest of the launcher."""
+    from sweep import needs
+    needs.need(needs.ALWAYS)
+    from sweep.run import sweep as run_study
+    return run_study(arguments)
 
 
 def list_of_cases() -> str:
@@ -92,10 +105,26 @@ def parser() -> argparse.ArgumentParser:
     command.add_argument("--out", metavar="DIR", help="run folder (default: a new one in runs/)")
     command.add_argument("--resume", action="store_true", help="continue an interrupted run")
     command.set_defaults(act=run_case)
+    add_sweep(commands.add_parser("sweep", help="run a case at many points, on the local cores or on Slurm"))
     command = commands.add_parser("test", help="set up and run all tests; further arguments go to ctest")
     command.add_argument("ctest", nargs=argparse.REMAINDER, metavar="ctest arguments")
     command.set_defaults(act=test)
     return top
+
+
+def add_sweep(command: argparse.ArgumentParser) -> None:
+    """The options of `sweep`."""
+    command.add_argument("study", metavar="STUDY.yaml", help="case, level, what is fixed and what varies")
+    command.add_argument("--out", metavar="DIR", help="study folder (default: runs/CASE-STUDY); the same one goes on")
+    command.add_argument("--dry-run", action="store_true", help="show the points and how long they will take")
+    command.add_argument("--retry-failed", action="store_true", help="run failed points again, from their start")
+    command.add_argument("--cores", type=int, metavar="N", help="local cores to use (default: all)")
+    command.add_argument("--slurm", action="store_true", help="submit each point to Slurm")
+    command.add_argument("--sbatch", action="append", default=[], metavar="KEY=VALUE",
+                         help="with --slurm: an option of sbatch, as in --sbatch time=2:00:00 --sbatch partition=short")
+    command.add_argument("--jobs", type=int, default=100, metavar="N", help="points at Slurm at the same time (default: 100)")
+    command.add_argument("--profile", metavar="DIR", help="a Snakemake 7 profile instead, for other schedulers")
+    command.set_defaults(act=sweep)
 
 
 def command_line() -> argparse.Namespace:

@@ -39,15 +39,19 @@ def missing_packages() -> list[str]:
 
 
 def install_packages() -> None:
-    """Installs the missing packages as root; tells anyone else the line to type."""
+    """Installs what a set-up misses."""
     missing = missing_packages()
-    if not missing:
-        return
-    if os.geteuid() != 0:
+    if missing:
+        install(missing)
+
+
+def install(packages: list[str]) -> None:
+    """Installs packages as root; tells anyone else the line to type."""
+    if os.geteuid() != 0 or not shutil.which("apt-get"):
         raise Failure("packages are missing. Install them and start again:\n  sudo apt-get update && "
-                      f"sudo apt-get install --no-install-recommends {' '.join(missing)}")
+                      f"sudo apt-get install --no-install-recommends {' '.join(packages)}")
     quiet = dict(os.environ, DEBIAN_FRONTEND="noninteractive")
     apt = ["apt-get", "-o", "Acquire::Retries=3", "-o", "DPkg::Lock::Timeout=120"]
     logged("package lists", [*apt, "update"], places.setup_log(), check=False, env=quiet)
-    install = [*apt, "install", "-y", "--no-install-recommends", *missing]
-    logged(f"{len(missing)} packages", install, places.setup_log(), env=quiet)
+    command = [*apt, "install", "-y", "--no-install-recommends", *packages]
+    logged(f"{len(packages)} packages", command, places.setup_log(), env=quiet)
