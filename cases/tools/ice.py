@@ -63,10 +63,11 @@ def critical_step(diameter, density, young, stiffness_ratio):
     return 2 / math.sqrt(max(8 * normal, 45 * normal / stiffness_ratio) * area / mass)
 
 
-def weibull(parameters):
-    """Words for fix bond/parallel that scatter its strengths; none where the modulus is 0: all bonds are equally strong."""
-    modulus, seed = parameters["weibull_modulus"], parameters["weibull_seed"]
-    return f"weibull {modulus:g} {seed}" if modulus else ""
+def bond_words(parameters):
+    """The words of fix bond/parallel that change how strong single bonds are; none where all are equally strong."""
+    angle, modulus = parameters["friction_angle"], parameters["weibull_modulus"]
+    words = [f"friction_angle {angle:g}"] if angle else []
+    return " ".join(words + ([f"weibull {modulus:g} {parameters['weibull_seed']}"] if modulus else []))
 
 
 def write_data(path, points, diameter, density, box, types):

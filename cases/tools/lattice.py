@@ -21,13 +21,15 @@ CYCLES = ((0.5, 0.5 / math.sqrt(3)), (-0.5, 0.5 / math.sqrt(3)), (0.0, -1 / math
 
 @dataclass
 class Ice:
-    """A material and its spheres: diameter [m], density [kg/m3], modulus of the bonds [Pa], κ [-], strengths [Pa]."""
+    """A material and its spheres: diameter [m], density [kg/m3], modulus of the bonds [Pa], κ [-], strengths [Pa], angle by
+    which compression raises the shear strength [degrees]."""
     diameter: float
     density: float
     young: float
     stiffness_ratio: float
     tensile_strength: float = math.inf
     shear_strength: float = math.inf
+    friction_angle: float = 0.0
 
 
 def cross_matrix(v):
@@ -125,7 +127,8 @@ class Plate:
         sigma = (n @ force) / area + 4 * bending / (area * radius)
         tau = numpy.linalg.norm(force - n * (n @ force)) / area + 2 * abs(n @ moment) / (area * radius)
         tension = self.ice.tensile_strength / sigma if sigma > 0 else math.inf
-        shear = self.ice.shear_strength / tau if tau > 0 else math.inf
+        over = tau + math.tan(math.radians(self.ice.friction_angle)) * min(n @ force, 0.0) / area
+        shear = self.ice.shear_strength / over if over > 0 else math.inf
         return (tension, "tension") if tension < shear else (shear, "shear")
 
 

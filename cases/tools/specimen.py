@@ -53,7 +53,8 @@ class Specimen:
 def material(parameters, stiffness_ratio):
     """The level's ice with one of its stiffness ratios."""
     return lattice.Ice(parameters["sphere_diameter"], parameters["ice_density"], parameters["bond_young"],
-                       stiffness_ratio, parameters["tensile_strength"], parameters["shear_strength"])
+                       stiffness_ratio, parameters["tensile_strength"], parameters["shear_strength"],
+                       parameters["friction_angle"])
 
 
 def time_steps(parameters):

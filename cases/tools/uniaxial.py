@@ -19,7 +19,7 @@ def prepare(run, parameters, name, strain_rate):
     ratios = [lattice.Plate(material(parameters, ratio), body.layers) for ratio in parameters["stiffness_ratios"]]
     numbers = {key: parameters[key] for key in ("bond_young", "tensile_strength", "shear_strength", "bond_damping")}
     numbers.update(schedule(parameters, parameters["largest_strain"] / abs(strain_rate), rows=400),
-                   strain_rate=strain_rate, skin=0.25 * diameter, weibull=ice.weibull(parameters), grip=grip,
+                   strain_rate=strain_rate, skin=0.25 * diameter, bond_words=ice.bond_words(parameters), grip=grip,
                    mark_inner=0.5 * half - diameter, mark_outer=0.5 * half + diameter, section=body.section,
                    poisson_ratio=[plate.poisson() for plate in ratios])
     folder.copy_dem(SCRIPT, run, numbers, name=name)

@@ -71,6 +71,13 @@ def sweep(arguments: argparse.Namespace) -> int:
     return run_study(arguments)
 
 
+def calibrate(arguments: argparse.Namespace) -> int:
+    """Finds the bonds of a given ice."""
+    from calibrate.command import calibrate as find_bonds
+    setup()
+    return find_bonds(arguments)
+
+
 def list_of_cases() -> str:
     """Ends the help of `run`: every case with its question."""
     questions = {name: read(find_case(name)).get("question", "") for name in shipped()}
@@ -106,6 +113,7 @@ def parser() -> argparse.ArgumentParser:
     command.add_argument("--resume", action="store_true", help="continue an interrupted run")
     command.set_defaults(act=run_case)
     add_sweep(commands.add_parser("sweep", help="run a case at many points, on the local cores or on Slurm"))
+    add_calibrate(commands.add_parser("calibrate", help="find the bonds whose specimens have the bulk values of an ice"))
     command = commands.add_parser("test", help="set up and run all tests; further arguments go to ctest")
     command.add_argument("ctest", nargs=argparse.REMAINDER, metavar="ctest arguments")
     command.set_defaults(act=test)
@@ -125,6 +133,13 @@ def add_sweep(command: argparse.ArgumentParser) -> None:
     command.add_argument("--jobs", type=int, default=100, metavar="N", help="points at Slurm at the same time (default: 100)")
     command.add_argument("--profile", metavar="DIR", help="a Snakemake 7 profile instead, for other schedulers")
     command.set_defaults(act=sweep)
+
+
+def add_calibrate(command: argparse.ArgumentParser) -> None:
+    """The options of `calibrate`."""
+    from calibrate.options import add_options
+    add_options(command)
+    command.set_defaults(act=calibrate)
 
 
 def command_line() -> argparse.Namespace:

@@ -1,0 +1,11 @@
+"""`frazil calibrate`: bond parameters whose specimens have the stiffness and the strengths of a given ice.
+
+Bulk values that can be asked for: E in tension, strength in bending, in compression, and in tension. The bonds have a modulus E_b,
+which E fixes alone; a tensile strength σc, which bending and tension share; a shear strength τc, which compression fixes. κ is
+given. So bending and tension together ask for more than the bonds have, and the table says what both can be.
+
+    theory.py     the lattice's closed form: the first guess, and which targets exclude each other
+    specimens.py  ice_tension, ice_compression, ice_bending with given bonds, several at a time
+    fit.py        correct, measure, until all targets are met
+    result.py     table, file, lines for the script
+"""

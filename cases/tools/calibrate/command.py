@@ -1,0 +1,41 @@
+"""`frazil calibrate`: from the options to the lines for the script."""
+from __future__ import annotations
+
+import argparse
+import time
+from pathlib import Path
+
+from launcher import places
+from launcher.run import free_folder
+from launcher.say import clock, Failure
+
+from . import result
+from .bonds import Sample, Targets
+from .fit import fit, Round
+from .options import checked
+from .theory import conflicts, first_guess
+
+
+def calibrate(options: argparse.Namespace) -> int:
+    """Finds the bonds; status 0 if every target is met within the tolerance."""
+    checked(options)
+    targets = Targets(options.young, options.bending, options.compression, options.tension)
+    sample = Sample(options.diameter, options.density, options.layers, options.packing)
+    folder = Path(options.out).resolve() if options.out else free_folder(places.TOP / "runs/calibration")
+    if folder.exists() and any(folder.iterdir()):
+        raise Failure(f"{folder} holds something already; choose another --out or remove it.")
+    start = first_guess(targets, sample, options.stiffness_ratio, options.friction_angle, options.weibull)
+    impossible = conflicts(targets, start, sample)
+    for sentence in impossible:
+        print(f"cannot be met together: {sentence}", flush=True)
+    begin = time.monotonic()
+
+    def say(number: int, one: Round) -> None:
+        print(f"round {number}, {clock(time.monotonic() - begin)}: E_b {one.bonds.young:.4g} Pa, σc "
+              f"{one.bonds.tensile_strength:.4g} Pa, τc {one.bonds.shear_strength:.4g} Pa")
+        print(result.table_text(result.rows(targets, one)), flush=True)
+
+    rounds = fit(targets, sample, start, options, folder, say)
+    result.write(folder / "calibration.json", targets, rounds, impossible, time.monotonic() - begin)
+    print(f"\n{rounds[-1].bonds.script()}\n\nspecimens and calibration.json: {folder}")
+    return 0 if max(map(abs, rounds[-1].errors(targets).values())) < options.tolerance else 1
