@@ -70,12 +70,16 @@ def bond_words(parameters):
     return " ".join(words + ([f"weibull {modulus:g} {parameters['weibull_seed']}"] if modulus else []))
 
 
-def write_data(path, points, diameter, density, box, types):
-    """LIGGGHTS data file of `atom_style granular`: id type diameter density x y z. box: ((x, X), (y, Y), (z, Z))."""
+def write_data(path, points, diameters, density, box, types):
+    """LIGGGHTS data file of `atom_style granular`: id type diameter density x y z. diameters [m]: one, or one per sphere;
+    box: ((x, X), (y, Y), (z, Z))."""
+    if isinstance(diameters, float):
+        diameters = [diameters] * len(points)
     with open(path, "w") as data:
-        data.write(f"Spheres of {diameter:g} m, {density:g} kg/m3\n\n{len(points)} atoms\n{types} atom types\n\n")
+        data.write(f"Spheres of {min(diameters):g} to {max(diameters):g} m, {density:g} kg/m3\n\n{len(points)} atoms\n"
+                   f"{types} atom types\n\n")
         for (low, high), axis in zip(box, "xyz"):
             data.write(f"{low:.17g} {high:.17g} {axis}lo {axis}hi\n")
         data.write("\nAtoms\n\n")
-        for n, point in enumerate(points, 1):
+        for n, (diameter, point) in enumerate(zip(diameters, points), 1):
             data.write("%d 1 %.17g %g %.17g %.17g %.17g\n" % (n, diameter, density, *point))

@@ -11,43 +11,53 @@ import ice
 import lattice
 
 
+LATTICE = "hcp"  # the parameter `packing`; otherwise the file of a cell (packing/cell.py)
 PAPER = {"E": 0.7e9, lattice.COMPRESSION: 2.56e6, lattice.BENDING: 0.81e6}  # bulk values of its ice [Pa]; no tension
 
 
 class Specimen:
-    """A bar of columns x rows x layers spheres and its measures."""
+    """A bar of ice and its measures: columns x rows x layers spheres of the lattice, or as large a bar of a random packing."""
 
     def __init__(self, parameters):
         self.diameter = parameters["sphere_diameter"]
         self.columns, self.rows, self.layers = (parameters[name] for name in ("columns", "rows", "layers"))
+        self.packing = parameters["packing"]
+        self.length = self.diameter * self.columns
         self.thickness = ice.thickness(self.diameter, self.layers)
         self.width = self.diameter * (1 + ice.ROW * (self.rows - 1))  # over all spheres, as the thickness
         self.section = self.width * self.thickness
 
-    def points(self):
-        """Centres, those of the middle layers on y = 0."""
-        points = ice.plate(self.diameter, self.columns, self.rows, self.layers)
-        return [(x, y - 0.5 * self.thickness, z) for x, y, z in points]
+    def build(self):
+        """Sets centres, the middle of the bar at the origin, diameters [m] and pairs to be bonded."""
+        if self.packing == LATTICE:
+            points = ice.plate(self.diameter, self.columns, self.rows, self.layers)
+            self.points = [(x, y - 0.5 * self.thickness, z) for x, y, z in points]
+            self.diameters = [self.diameter] * len(points)
+            self.pairs = ice.contacts(self.points, self.diameter)
+        else:
+            from packing import cell, shapes
+            half = 0.5 * numpy.array((self.length, self.thickness, self.width))
+            self.points, self.diameters = shapes.fill(shapes.box(-half, half), cell.read(self.packing))
+            self.pairs = shapes.bonds(self.points, self.diameters)
+        return self
 
     def write(self, path, density, margin, motion=None):
         """LIGGGHTS data file, with a box that leaves a margin [m] on all sides; motion(centre) gives a sphere's velocity
         [m/s] and spin [rad/s] at the start."""
-        points = self.points()
-        box = [(min(axis) - margin, max(axis) + margin) for axis in zip(*points)]
-        ice.write_data(path, points, self.diameter, density, box, types=1)
+        box = [(min(axis) - margin, max(axis) + margin) for axis in zip(*self.points)]
+        ice.write_data(path, self.points, self.diameters, density, box, types=1)
         if motion:
             with open(path, "a") as data:
                 data.write("\nVelocities\n\n")
                 data.writelines("%d %.17g %.17g %.17g %.17g %.17g %.17g\n" % (n, *motion(point))
-                                for n, point in enumerate(points, 1))
+                                for n, point in enumerate(self.points, 1))
 
     def write_bonds(self, breaking, lasting, lasts):
         """Lists of the bonds for fix bond/parallel: those between two spheres for whose centres `lasts` is true, and
         the others, which may break."""
-        points = self.points()
         with open(breaking, "w") as weak, open(lasting, "w") as strong:
-            for n, m in ice.contacts(points, self.diameter):
-                (strong if lasts(points[n]) and lasts(points[m]) else weak).write(f"{n + 1} {m + 1}\n")
+            for n, m in self.pairs:
+                (strong if lasts(self.points[n]) and lasts(self.points[m]) else weak).write(f"{n + 1} {m + 1}\n")
 
 
 def material(parameters, stiffness_ratio):
@@ -57,17 +67,16 @@ def material(parameters, stiffness_ratio):
                        parameters["friction_angle"])
 
 
-def time_steps(parameters):
-    """DEM step for each stiffness ratio [s]."""
-    return [parameters["step_share"] * ice.critical_step(parameters["sphere_diameter"], parameters["ice_density"],
-                                                         parameters["bond_young"], ratio)
+def time_steps(parameters, smallest):
+    """DEM step for each stiffness ratio [s]; smallest: diameter of a sphere [m]. The lattice's, which has the most bonds."""
+    return [parameters["step_share"] * ice.critical_step(smallest, parameters["ice_density"], parameters["bond_young"], ratio)
             for ratio in parameters["stiffness_ratios"]]
 
 
-def schedule(parameters, duration, rows):
+def schedule(parameters, smallest, duration, rows):
     """Variables of the script that differ from ratio to ratio: time step, number of steps for a duration [s], the interval
     of a curve of so many rows, and the part of the run between two looks at what is left of the specimen."""
-    steps = time_steps(parameters)
+    steps = time_steps(parameters, smallest)
     count = [math.ceil(duration / step) for step in steps]
     every = [max(1, number // rows) for number in count]
     return {"stiffness_ratio": parameters["stiffness_ratios"], "time_step": steps, "steps": count,
@@ -118,6 +127,8 @@ def report(run, parameters, load, limits, result, sign=1):
         lines.append(",".join(f"{value:.6g}" for value in row))
         print(f"  {ratio:<5g} {row[1]/1e9:8.3f} {young/1e9:8.3f} {row[3]/1e6:14.3f} {theory/1e6:14.3f} "
               f"{'' if fails else 'over':>8} {strength/1e6:.3f}")
+        if parameters["packing"] != LATTICE:
+            continue  # theory is of the lattice
         result.near(f"E for κ = {ratio:g} [GPa]", row[1] / 1e9, young / 1e9, limits[0] * young / 1e9)
         result.near(f"stress at the first failure for κ = {ratio:g} [MPa]", row[3] / 1e6, theory / 1e6, limits[1] * theory / 1e6)
     strength = f"{PAPER[load] / 1e6:.3g} MPa" if load in PAPER else "not given"

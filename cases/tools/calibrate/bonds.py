@@ -51,4 +51,8 @@ class Sample:
     diameter: float
     density: float
     layers: int
-    packing: str = "hcp"
+    packing: str = "hcp"  # or the file of a cell (packing/cell.py)
+
+    def lattice(self) -> bool:
+        """Whether the closed form holds."""
+        return self.packing == "hcp"

@@ -2,12 +2,15 @@
 from __future__ import annotations
 
 import argparse
+import os
 import time
 from pathlib import Path
 
 from launcher import places
+from launcher.environment import environment
 from launcher.run import free_folder
 from launcher.say import clock, Failure
+from sweep.needs import need
 
 from . import result
 from .bonds import Sample, Targets
@@ -16,14 +19,30 @@ from .options import checked
 from .theory import conflicts, first_guess
 
 
+def sample_of(options: argparse.Namespace, folder: Path) -> Sample:
+    """What the specimens are made of; a random packing is made here, in the folder."""
+    if options.packing == "hcp":
+        return Sample(options.diameter, options.density, options.layers)
+    need({"scipy": "python3-scipy"})
+    import numpy
+
+    from packing import cell
+    diameters = numpy.linspace(options.diameter, options.largest or options.diameter, options.spheres)
+    os.environ.update(environment())
+    packed = cell.make(diameters, 1, folder / "packing")
+    packed.write(folder / "cell.csv")
+    print(f"cell of {options.spheres} spheres, {packed.solid_fraction():.3f} solid, side {packed.side:.4g} m", flush=True)
+    return Sample(options.diameter, options.density, options.layers, str(folder / "cell.csv"))
+
+
 def calibrate(options: argparse.Namespace) -> int:
     """Finds the bonds; status 0 if every target is met within the tolerance."""
     checked(options)
     targets = Targets(options.young, options.bending, options.compression, options.tension)
-    sample = Sample(options.diameter, options.density, options.layers, options.packing)
     folder = Path(options.out).resolve() if options.out else free_folder(places.TOP / "runs/calibration")
     if folder.exists() and any(folder.iterdir()):
         raise Failure(f"{folder} holds something already; choose another --out or remove it.")
+    sample = sample_of(options, folder)
     start = first_guess(targets, sample, options.stiffness_ratio, options.friction_angle, options.weibull)
     impossible = conflicts(targets, start, sample)
     for sentence in impossible:

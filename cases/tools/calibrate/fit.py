@@ -47,7 +47,7 @@ class Round:
 
 
 def expected(targets: Targets, sample: Sample, bonds: Bonds) -> dict[str, float]:
-    """Strength by load [Pa]: the target, or where there is none what the lattice has."""
+    """Strength by load [Pa]: the target, or where it is greater or there is none what the lattice has."""
     ice = lattice.Ice(sample.diameter, sample.density, bonds.young, bonds.stiffness_ratio, bonds.tensile_strength,
                       bonds.shear_strength, bonds.friction_angle)
     plate = lattice.Plate(ice, sample.layers)

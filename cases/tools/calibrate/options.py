@@ -21,7 +21,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     number("--friction-angle", type=float, default=0.0, metavar="DEG", help="of the bonds (0)")
     number("--weibull", type=float, default=0.0, metavar="M", help="modulus of the scatter of the bonds' strengths (0: none)")
     number("--seeds", type=int, default=1, help="specimens per load, each with other strengths (1)")
-    number("--packing", default="hcp", help="hcp (default)")
+    number("--packing", default="hcp", choices=("hcp", "random"), help="of the spheres: a lattice (default) or a random one")
+    number("--largest", type=float, metavar="M", help="of the spheres of a random packing: diameters from --diameter to this")
+    number("--spheres", type=int, default=2000, help="of the cell that the random packing repeats (2000)")
     number("--tolerance", type=float, default=0.01, help="largest relative error at which the search ends (0.01)")
     number("--rounds", type=int, default=5, help="at most so many (5)")
     number("--out", metavar="DIR", help="folder of the specimens (default: a new one in runs/)")
@@ -49,5 +51,9 @@ def checked(options: argparse.Namespace) -> None:
         refuse("seeds", options.seeds, "without --weibull all specimens are the same.")
     if not (options.bending or options.compression or options.tension):
         raise Failure("give at least one strength: --bending, --compression or --tension.")
-    if options.packing != "hcp":
-        refuse("packing", options.packing, "hcp is the only one.")
+    if options.spheres < 100:
+        refuse("spheres", options.spheres, "a cell of fewer than 100 spheres is no packing.")
+    if options.largest is not None and not options.diameter <= options.largest <= 3 * options.diameter:
+        refuse("largest", options.largest, "give a number from --diameter to three times that.")
+    if options.largest and options.packing == "hcp":
+        refuse("largest", options.largest, "the spheres of a lattice are equal; add --packing random.")

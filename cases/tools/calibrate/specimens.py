@@ -40,9 +40,7 @@ def settings(load: str, bonds: Bonds, sample: Sample, strain: float, seed: int) 
     words = {"sphere_diameter": sample.diameter, "ice_density": sample.density, "layers": sample.layers,
              "bond_young": bonds.young, "stiffness_ratios": [bonds.stiffness_ratio],
              "tensile_strength": bonds.tensile_strength, "shear_strength": bonds.shear_strength,
-             "friction_angle": bonds.friction_angle, "weibull_modulus": bonds.weibull_modulus, "weibull_seed": seed}
-    if sample.packing != "hcp":
-        words["packing"] = sample.packing
+             "friction_angle": bonds.friction_angle, "weibull_modulus": bonds.weibull_modulus, "weibull_seed": seed, "packing": sample.packing}
     if load == lattice.BENDING:
         half_span = 24 * sample.diameter  # of ice_bending
         thickness = Specimen({**words, "columns": 1, "rows": 1}).thickness

@@ -7,7 +7,8 @@ import lattice
 
 from .bonds import Bonds, Sample, Targets
 
-LARGE = 1e6  # a strength over the other one that never decides
+LARGE = 1e6   # a strength over the other one that never decides
+RANDOM = 0.4  # stiffness and strengths of a random packing over those of the lattice, roughly: seven bonds in place of twelve
 
 
 def plate(sample: Sample, ratio: float, tensile: float, shear: float, angle: float) -> lattice.Plate:
@@ -40,11 +41,14 @@ def first_guess(targets: Targets, sample: Sample, ratio: float, angle: float, mo
     # Without a target for one of the strengths the study's τc/σc = 2/3
     if tensile is None and shear is None:
         tensile = shear = LARGE * targets.young
-    return Bonds(targets.young / pulled.young(), ratio, tensile or 1.5 * shear, shear or tensile / 1.5, angle, modulus)
+    bonds = Bonds(targets.young / pulled.young(), ratio, tensile or 1.5 * shear, shear or tensile / 1.5, angle, modulus)
+    return bonds if sample.lattice() else bonds.scaled(*3 * (1 / RANDOM,))
 
 
 def conflicts(targets: Targets, bonds: Bonds, sample: Sample) -> list[str]:
     """What cannot be met together, a sentence each, by the lattice's closed form with these bonds."""
+    if not sample.lattice():
+        return []
     found = []
     strong = lattice.Plate(lattice.Ice(sample.diameter, sample.density, bonds.young, bonds.stiffness_ratio,
                                        bonds.tensile_strength, bonds.shear_strength, bonds.friction_angle), sample.layers)

@@ -1,0 +1,95 @@
+"""The search for bonds: first guess and corrections against numbers worked out by hand, conflicts, options that cannot be.
+
+The lattice's factors are those of cases/tools/lattice.py, whose specimens the ice cases hold against frazilDem.
+"""
+import argparse
+import subprocess
+import sys
+
+import checks
+import lattice
+from calibrate.bonds import Bonds, Sample, Targets
+from calibrate.fit import Round
+from calibrate.specimens import Measured
+from calibrate.theory import conflicts, first_guess, shared
+
+ICE = Sample(0.0024, 900.0, 8)
+STUDY = Targets(0.7e9, 0.81e6, 2.56e6, None)
+
+
+def fails_at(bonds, load):
+    """(stress [Pa], mode) of the first failure of the endless plate."""
+    ice = lattice.Ice(ICE.diameter, ICE.density, bonds.young, bonds.stiffness_ratio, bonds.tensile_strength,
+                      bonds.shear_strength, bonds.friction_angle)
+    return lattice.Plate(ice, ICE.layers).first_failure(load)
+
+
+def first(result):
+    """The guess has the targets by the closed form, with friction, too; a strength without a target is 2/3 of the other."""
+    for angle in (0.0, 30.0):
+        bonds = first_guess(STUDY, ICE, 2.66, angle, 0.0)
+        result.near(f"bending, {angle:g} degrees [MPa]", fails_at(bonds, lattice.BENDING)[0] / 1e6, 0.81, 1e-9)
+        result.near(f"compression, {angle:g} degrees [MPa]", fails_at(bonds, lattice.COMPRESSION)[0] / 1e6, 2.56, 1e-9)
+    # E of the plate is 1.546 E_b at κ = 2.66
+    result.near("E_b [GPa]", bonds.young / 1e9, 0.7 / 1.5460746312510372, 1e-12)
+    only = first_guess(Targets(0.7e9, 0.9e6, None, None), ICE, 2.66, 0.0, 0.0)
+    result.near("τc/σc without a target for compression", only.shear_strength / only.tensile_strength, 2 / 3, 1e-12)
+
+
+def friction(result):
+    """By hand, two spheres: the compressive stress p on a bond raises its shear strength by p tan φ."""
+    flat, rough = (first_guess(STUDY, ICE, 2.66, angle, 0.0).shear_strength for angle in (0.0, 30.0))
+    result.say(rough < flat, "cohesion with 30 degrees below that without", f"{rough:.4g}", f"{flat:.4g} Pa")
+
+
+def compromise(result):
+    """One factor for two targets: 1 and 1.2 times what there is ask for 1.0909, errors +9.1 and -9.1 %."""
+    factor = shared([(1.0, 1.0), (1.2, 1.0)])
+    result.near("shared factor", factor, 2 * 1.2 / 2.2, 1e-12)
+    result.near("its errors are opposite", factor / 1 - 1, 1 - factor / 1.2, 1e-12)
+
+
+def correction(result):
+    """Target over measured, each by itself."""
+    has = {lattice.TENSION: [Measured(0.6e9, 0.8e6, True)], lattice.BENDING: [Measured(0.5e9, 0.9e6, True)],
+           lattice.COMPRESSION: [Measured(0.61e9, 2.0e6, True), Measured(0.61e9, 3.0e6, True)]}
+    one = Round(Bonds(0.4e9, 2.0, 0.6e6, 0.3e6), has)
+    after = one.corrected(STUDY)
+    result.near("E_b [GPa]", after.young / 1e9, 0.4 * 0.7 / 0.6, 1e-12)
+    result.near("σc [MPa]", after.tensile_strength / 1e6, 0.6 * 0.81 / 0.9, 1e-12)
+    result.near("τc by the mean of two seeds [MPa]", after.shear_strength / 1e6, 0.3 * 2.56 / 2.5, 1e-12)
+    result.near("error of bending", one.errors(STUDY)["bending"], 0.9 / 0.81 - 1, 1e-12)
+
+
+def impossible(result):
+    """What the bonds of a lattice cannot have together is said; what they can is not."""
+    say = lambda targets: conflicts(targets, first_guess(targets, ICE, 2.66, 0.0, 0.0), ICE)
+    result.say(not say(STUDY), "the study's bulk values", say(STUDY), "no conflict")
+    found = say(Targets(0.7e9, 0.81e6, 2.56e6, 0.4e6))
+    result.say(len(found) == 1 and "bending and tension: 2.02 times" in found[0] and "0.92 times" in found[0],
+               "twice as strong in bending as in tension", found, "named with both ratios")
+    found = say(Targets(0.7e9, 0.81e6, 0.5e6, None))
+    result.say(len(found) == 1 and found[0].startswith("bending") and "in shear" in found[0],
+               "weaker in compression than in bending", found, "bending would fail in shear")
+    found = say(Targets(0.7e9, 0.81e6, 20e6, None))
+    result.say(len(found) == 1 and found[0].startswith("compression") and "in tension" in found[0],
+               "25 times as strong in compression", found, "compression would fail in tension")
+
+
+def refused(result):
+    """Options that cannot be: the option and the cure, status 1, nothing left behind."""
+    for words, cure in ((["--bending", "nan"], "--bending nan: give a number above 0"),
+                        (["--bending", "1e6", "--seeds", "3"], "--seeds 3: without --weibull"),
+                        ([], "give at least one strength"),
+                        (["--bending", "1e6", "--largest", "0.003"], "add --packing random"),
+                        (["--bending", "1e6", "--friction-angle", "90"], "below 90")):
+        code = "import sys; from calibrate.command import calibrate; from calibrate.options import add_options; import argparse\n" \
+               "p = argparse.ArgumentParser(); add_options(p); calibrate(p.parse_args(sys.argv[1:]))"
+        ended = subprocess.run([sys.executable, "-c", code, "--young", "0.7e9", *words], capture_output=True, text=True)
+        result.say(ended.returncode == 1 and cure in ended.stderr, f"refused: {' '.join(words)}", ended.stderr.strip()[-90:], cure)
+
+
+result = checks.Checks()
+for test in (first, friction, compromise, correction, impossible, refused):
+    test(result)
+result.end()
