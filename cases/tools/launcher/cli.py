@@ -142,7 +142,8 @@ def command_line() -> argparse.Namespace:
 def main() -> int:
     """Runs a command; errors meant for the user end with status 1."""
     for number in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.default_int_handler)  # ends a run as Ctrl-C does
+        if signal.getsignal(number) is not signal.SIG_IGN:  # nohup's word counts
+            signal.signal(number, signal.default_int_handler)  # ends a run as Ctrl-C does
     try:
         arguments = command_line()
         return arguments.act(arguments)
