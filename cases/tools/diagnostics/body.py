@@ -11,6 +11,8 @@ from .catalogue import Missing, series, Series, value
 from .run import Run
 from .surface import motion, placed, poses, vertices
 
+WET = 1e-4  # share of the body's volume in water from which on it counts as touched: less is the blur of the surface [-]
+
 
 def length(run: Run, *names: str) -> Series:
     """Magnitude √(a² + b² + ...) of columns of the history."""
@@ -90,25 +92,25 @@ def wetted(run: Run) -> Series:
 
 @series("scaled speed u*", "")
 def scaled_speed(run: Run) -> Series:
-    """u* = |v|/c [-] (scales.py)."""
+    """u* = |v|/c [-], c = √(E_b/ρ)."""
     return scaled(speed(run), scales.wave_speed(run))
 
 
 @series("scaled depth L*", "")
 def scaled_depth(run: Run) -> Series:
-    """L* = depth/D0 [-] (scales.py)."""
+    """L* = depth/D0 [-]."""
     return scaled(depth(run), scales.diameter(run))
 
 
 @series("scaled vertical contact force F*c", "")
 def scaled_contact_force(run: Run) -> Series:
-    """F*c = F_cy/(½ ρw c² S) [-] (scales.py)."""
+    """F*c = F_cy/(½ ρw c² S) [-], c = √(E_b/ρ), S = π D0²/4."""
     return scaled(contact_force_y(run), scales.force_scale(run))
 
 
 @series("scaled vertical fluid force F*h", "")
 def scaled_fluid_force(run: Run) -> Series:
-    """F*h = F_hy/(½ ρw c² S) [-] (scales.py)."""
+    """F*h = F_hy/(½ ρw c² S) [-], c = √(E_b/ρ), S = π D0²/4."""
     return scaled(fluid_force_y(run), scales.force_scale(run))
 
 
@@ -123,8 +125,8 @@ def first_contact(run: Run) -> float:
 
 @value("first touch of ice or water", "s")
 def touch(run: Run) -> float:
-    """Time of the first row with |F_c| > 0 or a wetted share > 0 [s]: the zero of the scaled time."""
-    moments = [what(run).first_above() for what in (contact_force, wetted)]
+    """Time of the first row with |F_c| > 0 or a wetted share > 1e-4 [s]: the zero of the scaled time."""
+    moments = [contact_force(run).first_above(), wetted(run).first_above(WET)]
     moments = [moment for moment in moments if moment is not None]
     if not moments:
         raise Missing(f"{run.folder / 'history.csv'}: the body has touched neither ice nor water yet.")
@@ -145,7 +147,7 @@ def peak_contact_delay(run: Run) -> float:
 
 @value("largest scaled contact force F*c", "")
 def peak_scaled_contact_force(run: Run) -> float:
-    """max |F_c|/(½ ρw c² S) [-] (scales.py)."""
+    """max |F_c|/(½ ρw c² S) [-], c = √(E_b/ρ), S = π D0²/4."""
     return peak_contact_force(run) / scales.force_scale(run)
 
 

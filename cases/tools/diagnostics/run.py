@@ -25,11 +25,7 @@ class Run:
             raise Missing(f"{folder}: there is no such folder; name one that ./frazil run has made.")
         if not any((self.folder / name).is_file() for name in KNOWN):
             raise Missing(f"{folder}: is no run folder, it has none of {', '.join(KNOWN)}; name one that ./frazil run has made.")
-
-    @property
-    def name(self) -> str:
-        """The folder's own name."""
-        return self.folder.resolve().name
+        self.name = self.folder.resolve().name
 
     @cached_property
     def plan(self) -> dict:

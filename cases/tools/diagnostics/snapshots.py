@@ -10,7 +10,7 @@ import numpy
 
 from .catalogue import Missing
 
-ATTEMPTS, PAUSE = 10, 0.2  # of reading a file [-], [s]: the writer holds it for as long as one snapshot takes
+ATTEMPTS, PAUSE = 5, 0.2  # of reading a file [-], [s]: the writer holds it for as long as one snapshot takes
 
 # A reader's lock would make the writer fail and end a run that is going on.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")

@@ -70,6 +70,8 @@ def lines(runs: list[Run], curve: Curve) -> Lines:
                 result.missing.append(str(missing))
     if not result.found:
         raise Missing(result.missing[0])
+    if not result.limit(3):
+        raise Missing(f"{SERIES[curve.names[0]].label}: zero throughout.")
     return result
 
 
@@ -90,4 +92,4 @@ def draw(runs: list[Run], curve: Curve) -> Picture:
     axis.set(xlabel=labelled(x_label, x_unit), ylabel=labelled(label, y_unit), yscale="log" if curve.log else "linear")
     if len(what.found) > 1:
         axis.legend(loc="best")
-    return embed(figure, f"{label} over {x_label}")
+    return embed(figure, f"{label} over {x_label}", note=" ".join(SERIES[name].definition for name in curve.names))

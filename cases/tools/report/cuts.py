@@ -23,13 +23,12 @@ def draw(run: Run) -> list[Picture]:
 def one(run: Run, cut: Cut, limits: tuple, colours: Normalize) -> Picture:
     """One moment."""
     (left, right), (bottom, top) = limits
-    figure, axis = pyplot.subplots(figsize=(3.1, 0.9 + 2.6 * min(max((top - bottom) / (right - left), 0.4), 2.2)))
+    figure, axis = pyplot.subplots(figsize=(3.4, 1.0 + 2.8 * min(max((top - bottom) / (right - left), 0.4), 2.2)))
     axis.grid(False)
     view(axis, cut, colours)
     axis.set(xlim=(left, right), ylim=(bottom, top), xlabel="x [mm]", ylabel="height y [mm]")
-    axis.set_title(f"t = {1e3 * cut.time:.3g} ms", loc="left")
+    axis.set_title(f"{run.name}, {1e3 * cut.time:.3g} ms", loc="left", fontsize=8.5)
     if cut.spheres is not None:
         figure.colorbar(pyplot.cm.ScalarMappable(colours, ICE), ax=axis, orientation="horizontal", pad=0.02, aspect=30,
                         label="speed of the spheres [m/s]")
-    text = f"{run.name}, {1e3 * cut.time:.3g} ms: water blue, air white, spheres near the cut, body grey"
-    return embed(figure, text, "png")
+    return embed(figure, f"{run.name}, {1e3 * cut.time:.3g} ms: cut with water, spheres and body", "png", note=" ", shape="small")

@@ -18,11 +18,13 @@ PREFIXES = {"s": ((1e-3, 1e6, "µs"), (1.0, 1e3, "ms")), "m": ((1.0, 1e3, "mm"),
 
 @dataclass(frozen=True)
 class Picture:
-    """An image as a data URI; the text says what is seen, below it and to those who cannot see it."""
+    """An image as a data URI; the text says what is seen to those who cannot see it, the note below is for all. The shape
+    is that of its place on the page: empty, `wide` or `small`."""
 
     source: str
     text: str
-    wide: bool = False
+    note: str = ""
+    shape: str = ""
 
 
 def style() -> None:
@@ -51,14 +53,14 @@ def labelled(label: str, unit: str) -> str:
     return f"{label} [{unit}]" if unit else label
 
 
-def embed(figure, text: str, kind: str = "svg", wide: bool = False) -> Picture:
+def embed(figure, text: str, kind: str = "svg", **more) -> Picture:
     """The figure as part of the page: lines as SVG, areas of many points as PNG."""
     stream = io.BytesIO()
     figure.savefig(stream, format=kind, dpi=130, metadata={"Date": None} if kind == "svg" else None)
     pyplot.close(figure)
-    return picture(stream.getvalue(), text, "svg+xml" if kind == "svg" else kind, wide)
+    return picture(stream.getvalue(), text, "svg+xml" if kind == "svg" else kind, **more)
 
 
-def picture(data: bytes, text: str, kind: str, wide: bool = False) -> Picture:
-    """An image file as part of the page."""
-    return Picture(f"data:image/{kind};base64,{base64.b64encode(data).decode()}", text, wide)
+def picture(data: bytes, text: str, kind: str, note: str = "", shape: str = "") -> Picture:
+    """An image file as part of the page; without a note the text stands below it."""
+    return Picture(f"data:image/{kind};base64,{base64.b64encode(data).decode()}", text, note or text, shape)

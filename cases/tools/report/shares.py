@@ -21,7 +21,7 @@ def draw(run: Run) -> Picture:
             reason = missing
     if not bars:
         raise reason
-    figure, axes = pyplot.subplots(len(bars), 1, figsize=(5.0, 1.7 * len(bars)), sharex=True, squeeze=False)
+    figure, axes = pyplot.subplots(len(bars), 1, figsize=(5.0, 1.55 * len(bars)), sharex=True, squeeze=False)
     for axis, (program, phases) in zip(axes[:, 0], bars.items()):
         bar(axis, program, phases)
     axes[-1, 0].set_xlabel("wall time [s]")
@@ -38,7 +38,6 @@ def bar(axis, program: str, phases: dict[str, float]) -> None:
         colour = WAITING if name.startswith("waiting") else next(working)
         axis.barh(0, seconds, left=left, color=colour, label=f"{name} {100 * seconds / whole:.0f} %")
         left += seconds
-    axis.set(yticks=[], title=program, xlim=(0, None))
-    axis.title.set_ha("left")
-    axis.title.set_x(0)
-    axis.legend(loc="upper left", bbox_to_anchor=(0, -0.05), ncols=3, fontsize=7.5, columnspacing=1, handlelength=1)
+    axis.set(yticks=[], xlim=(0, None))
+    axis.set_title(program, loc="left")
+    axis.legend(loc="center left", bbox_to_anchor=(1, 0.5), fontsize=7.5, handlelength=1)

@@ -44,12 +44,14 @@ def draw_counts(runs: list[Run]) -> Picture:
 def draw_shares(runs: list[Run]) -> Picture:
     """Share of the ice's volume in fragments of at most that many spheres."""
     figure, axis = pyplot.subplots(figsize=(5.0, 3.1))
+    least = 1.0
     for number, each in found(runs):
         spheres, share = each.share_of_smaller()
         axis.step(numpy.append(spheres, 2 * spheres[-1]), numpy.append(share, 1), where="post", color=colour(number),
                   label=runs[number].name)
+        least = min(least, share[0])
     axis.set(xlabel="spheres in the fragment, n", ylabel="share of the volume in\nfragments of at most n spheres", xscale="log",
-             ylim=(0, 1.03))
+             yscale="log", ylim=(0.5 * least, 1.5))
     if len(runs) > 1:
         axis.legend()
     return embed(figure, "Share of the ice in small fragments, last snapshot")
