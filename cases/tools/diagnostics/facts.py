@@ -51,7 +51,7 @@ def state(run: Run) -> str:
 
 def said(run: Run, log: str, pattern: str) -> str:
     """What a pattern catches in a log."""
-    found = re.search(pattern, run.text(log), re.MULTILINE)
+    found = re.search(pattern, run.log(log), re.MULTILINE)
     if not found:
         raise Missing(f"{run.folder / log}: does not say it (yet).")
     return found.group(1)

@@ -24,19 +24,19 @@ OUTSIDE = ("boundary", "weight", "tension", "splitting", "gradient")
 
 
 def steps(run: Run) -> dict[str, numpy.ndarray]:
-    """Fluid steps of log.foam that the ledger has, too: each term [N], with `deltaT` [s]; the load on the bodies has its
+    """Fluid steps of log.foam that ledger and history have, too: each term [N], with `deltaT` [s]; the load on the bodies has its
     sign turned."""
     if list(run.folder.glob("log.foam-*")):
         raise Missing(f"{run.folder / 'log.foam'}: the run was continued, and its budget is in several logs.")
     time, rows = 0.0, []
-    for line in run.text("log.foam").splitlines():
+    for line in run.log("log.foam").splitlines():
         if line.startswith("Time = "):
             now = float(line.split()[2])
             deltaT, time = now - time, now
         elif line.startswith("Momentum budget:"):
             terms = {name: float(y) for name, y in re.findall(r"(\w+) \(\S+ (\S+) \S+\)", line)}
             rows.append({"deltaT": deltaT, **terms})
-    rows = rows[:len(run.ledger["time"]) - 1]
+    rows = rows[:min(len(table["time"]) for table in (run.ledger, run.history)) - 1]
     if not rows or rows[-1].keys() != rows[0].keys():
         raise Missing(f"{run.folder / 'log.foam'}: has no Momentum budget; frazilFoam writes one with bodies only.")
     return {name: numpy.array([row[name] for row in rows]) for name in rows[0]}
@@ -49,7 +49,10 @@ def total(rows: dict[str, numpy.ndarray], name: str) -> float:
 
 def impulse(rows: dict[str, numpy.ndarray]) -> float:
     """∫ |load on the bodies| dt [N s]: the measure of what is left over."""
-    return float(rows["deltaT"] @ numpy.abs(rows["bodies"]))
+    found = float(rows["deltaT"] @ numpy.abs(rows["bodies"])) if "bodies" in rows else 0.0
+    if not found:
+        raise Missing("log.foam: no load on a body yet, over which the rest of the momentum could be measured.")
+    return found
 
 
 def fluid_rest(rows: dict[str, numpy.ndarray]) -> float:

@@ -97,11 +97,16 @@ class Run:
         return Snapshots(self.folder / "coarse.h5", "coarse")
 
     def text(self, name: str) -> str:
-        """A text file, as a log or a dictionary."""
+        """A text file, as one of OpenFOAM's dictionaries."""
         path = self.folder / name
         if not path.is_file():
             raise Missing(f"{path}: does not exist.")
         return path.read_text(errors="replace")
+
+    def log(self, name: str) -> str:
+        """The whole lines of a log that may be growing."""
+        text = self.text(name)
+        return text[: text.rfind("\n") + 1]
 
     def entry(self, name: str, key: str) -> float:
         """A number in one of OpenFOAM's dictionaries: the first `key number;`."""

@@ -13,7 +13,7 @@ from matplotlib import pyplot
 # Okabe & Ito (2008): told apart with every kind of colour vision
 PALETTE = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 TIME = "viridis"  # of the same kind, for what is coloured by time
-PREFIXES = {"s": ((1e-3, 1e6, "µs"), (1.0, 1e3, "ms")), "m": ((1.0, 1e3, "mm"),), "N s": ((0.1, 1e3, "mN s"),)}
+PREFIXES = {"s": ((2e-4, 1e6, "µs"), (1.0, 1e3, "ms")), "m": ((1.0, 1e3, "mm"),), "N s": ((0.1, 1e3, "mN s"),)}
 
 
 @dataclass(frozen=True)
