@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy
 
 from . import foam
-from .body import contact_force
 from .catalogue import Missing
+from .loads import contact_force
 from .run import Run
 from .surface import placed, poses, vertices
 
@@ -24,9 +24,11 @@ class Spheres:
 
 @dataclass(frozen=True)
 class Cut:
-    """What is seen at one time [s]: cell centres x, y [m], water fraction [y, x]; spheres and outline [m] where there are."""
+    """What is seen at one time [s] in the plane z [m]: cell centres x, y [m], water fraction [y, x]; spheres and outline [m]
+    where there are."""
 
     time: float
+    plane: float
     x: numpy.ndarray
     y: numpy.ndarray
     water: numpy.ndarray
@@ -69,7 +71,8 @@ def cut(run: Run, moment: float) -> Cut:
         x, y, water = water_cut(run, time, plane)
     except Missing:
         x, y, water = coarse_cut(run, time, plane)
-    return Cut(time, x, y, water, optional(spheres_near, run, time, plane, 0.5 * apart), optional(outline_at, run, time))
+    return Cut(time, plane, x, y, water, optional(spheres_near, run, time, plane, 0.5 * apart),
+               optional(outline_at, run, time))
 
 
 def optional(function, *arguments):

@@ -5,6 +5,6 @@ lines; what a run can be asked is in the package diagnostics.
     views             one cut through the axis, also for cases/tools/picture.py
     curves, cuts, cracks, sizes, scene, shares     figures, one function each
     tables            what was run, values, parameters
-    sections          which figures and tables make up the page
+    section, sections what makes up the page
     page              the page; page.html and page.css are its template
 """

@@ -8,7 +8,7 @@ import numpy
 from matplotlib import pyplot
 
 from diagnostics import Missing, Run, Series, SERIES
-from diagnostics import body, scales
+from diagnostics import body, loads, scales
 
 from .figure import colour, embed, labelled, Picture, readable
 
@@ -32,7 +32,7 @@ def time(run: Run, series: Series) -> numpy.ndarray:
 
 def scaled_time(run: Run, series: Series) -> numpy.ndarray:
     """t* = (t - touch)/(D0/c): from the first touch of ice or water on."""
-    return (series.time - body.touch(run)) / scales.time_scale(run)
+    return (series.time - loads.touch(run)) / scales.time_scale(run)
 
 
 def depth(run: Run, series: Series) -> numpy.ndarray:

@@ -5,7 +5,7 @@ import numpy
 from matplotlib import pyplot
 from matplotlib.colors import Normalize
 
-from diagnostics import Run
+from diagnostics import Missing, Run
 from diagnostics.cut import choose, Cut, cut, write_times
 
 from .figure import embed, Picture
@@ -15,9 +15,17 @@ from .views import ICE, view, window
 def draw(run: Run) -> list[Picture]:
     """One picture for each moment, all of the same part of space, and the scale of colours in the first."""
     cuts = [cut(run, moment) for moment in choose(run, write_times(run))]
+    if not any(map(shows_something, cuts)):
+        raise Missing(f"{run.name}: the cut z = {cuts[0].plane:g} m shows neither surface nor spheres nor body.")
     fastest = max((each.spheres.speed.max() for each in cuts if each.spheres is not None and len(each.spheres.speed)), default=1)
     colours = Normalize(0, 5 * numpy.ceil(0.2 * max(fastest, 0.1)) if fastest > 1 else fastest)
     return [one(run, each, window(cuts), colours) for each in cuts]
+
+
+def shows_something(cut: Cut) -> bool:
+    """Whether there is more in the cut than water or air."""
+    spheres = cut.spheres is not None and len(cut.spheres.radius) > 0
+    return spheres or cut.outline is not None or cut.water.min() < 0.5 < cut.water.max()
 
 
 def one(run: Run, cut: Cut, limits: tuple, colours: Normalize) -> Picture:

@@ -19,7 +19,7 @@ PREFIXES = {"s": ((2e-4, 1e6, "µs"), (1.0, 1e3, "ms")), "m": ((1.0, 1e3, "mm"),
 @dataclass(frozen=True)
 class Picture:
     """An image as a data URI; the text says what is seen to those who cannot see it, the note below is for all. The shape
-    is that of its place on the page: empty, `wide` or `small`."""
+    is that of its place on the page: empty (a third), `wide`, `half` or `small`."""
 
     source: str
     text: str

@@ -66,12 +66,12 @@ def body_at(run: Run, time: float) -> numpy.ndarray:
     return placed(corners.reshape(-1, 3), centre, attitude, row).reshape(-1, 3, 3)
 
 
-def draw(run: Run) -> Picture:
-    """The picture of either."""
+def draw(run: Run, shape: str) -> Picture:
+    """The picture of either, wide or half as wide as the page."""
     what = scene(run)
     text = f"{run.name}, {1e3 * what.time:.3g} ms, spheres coloured by speed up to {what.fastest():.3g} m/s"
     image = rendered(run)
-    return picture(image, text, "png", shape="wide") if image else drawn(what, text)
+    return picture(image, text, "png", shape=shape) if image else drawn(what, text, shape)
 
 
 # ------------------------------------------------------------------------------------------------------------------- VTK
@@ -91,7 +91,7 @@ def rendered(run: Run) -> bytes | None:
 
 
 # ------------------------------------------------------------------------------------------------------------ matplotlib
-def drawn(what: Scene, text: str) -> Picture:
+def drawn(what: Scene, text: str, shape: str) -> Picture:
     """Spheres as discs, the farther ones first, then the near side of the body."""
     view = axes_of_view()
     figure, axis = pyplot.subplots(figsize=(11, 5.5))
@@ -103,7 +103,7 @@ def drawn(what: Scene, text: str) -> Picture:
     axis.autoscale_view()
     axis.axis("off")
     figure.colorbar(pyplot.cm.ScalarMappable(colours, ICE), ax=axis, label="speed of the spheres [m/s]", shrink=0.5, aspect=25)
-    return embed(figure, text, "png", shape="wide")
+    return embed(figure, text, "png", shape=shape)
 
 
 def axes_of_view() -> numpy.ndarray:

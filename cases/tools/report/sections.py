@@ -1,61 +1,18 @@
 """What the page shows, section by section; what a run does not have is said below the section, with the reason."""
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Callable
-
-from diagnostics import Missing, Run
+from diagnostics import Run
 
 from . import cracks, curves, cuts, scene, shares, sizes, tables
 from .curves import Curve
-from .figure import Picture
-
-
-@dataclass
-class Section:
-    """A heading with its text, tables [(caption, rows)] and pictures."""
-
-    title: str
-    text: str = ""
-    tables: list[tuple[str, list[tables.Row]]] = field(default_factory=list)
-    pictures: list[Picture] = field(default_factory=list)
-    missing: list[str] = field(default_factory=list)
-
-    def add_table(self, caption: str, make: Callable, *arguments) -> None:
-        """A table, if it has rows, and the reasons for its empty cells."""
-        rows = self.attempt(make, *arguments) or []
-        if rows:
-            self.tables.append((caption, rows))
-        for row in rows:
-            self.lacks(*row.reasons)
-
-    def add(self, make: Callable, *arguments) -> None:
-        """A picture or several, if the runs have what they show."""
-        made = self.attempt(make, *arguments)
-        if made is not None:
-            self.pictures += made if isinstance(made, list) else [made]
-
-    def attempt(self, make: Callable, *arguments):
-        """What the function makes; None, and the reason is kept, where it cannot."""
-        try:
-            return make(*arguments)
-        except Missing as missing:
-            self.lacks(str(missing))
-            return None
-
-    def lacks(self, *reasons: str) -> None:
-        """Keeps reasons, each once."""
-        self.missing = list(dict.fromkeys([*self.missing, *reasons]))
-
-    @property
-    def shown(self) -> bool:
-        """Whether there is anything to see."""
-        return bool(self.tables or self.pictures)
+from .figure import picture
+from .section import Section
 
 
 def sections(runs: list[Run]) -> list[Section]:
     """The page from top to bottom."""
-    return [make(runs) for make in (what_was_run, body, scaled, ice, crack_maps, cut_views, scenes, balance, wall_time)]
+    return [make(runs) for make in (what_was_run, own_pictures, body, scaled, ice, crack_maps, cut_views, scenes, balance,
+                                    wall_time)]
 
 
 def what_was_run(runs: list[Run]) -> Section:
@@ -66,10 +23,20 @@ def what_was_run(runs: list[Run]) -> Section:
     return section
 
 
+def own_pictures(runs: list[Run]) -> Section:
+    """What the cases without a fluid draw of themselves; the others are shown by their cuts."""
+    section = Section("The case's own picture")
+    for run in runs:
+        path = run.folder / "picture.png"
+        if run.plan.get("np_foam") == 0 and path.is_file():
+            section.pictures.append(picture(path.read_bytes(), f"{run.name}: what the case draws of itself", "png", shape="wide"))
+    return section
+
+
 def body(runs: list[Run]) -> Section:
     """Speed, depth, attitude and loads."""
     section = Section("Body", "y is up, the still surface is at y = 0. Forces are those at the exchanges, once per fluid step.")
-    section.add_table("", tables.values, runs, "body")
+    section.add_table("", tables.values, runs, "body", "loads", "scaled")
     for curve in (Curve(("speed",)), Curve(("speed",), over="depth"), Curve(("depth",)), Curve(("tilt",)), Curve(("drift",)),
                   Curve(("contact_force_y",)), Curve(("contact_force_sideways",)), Curve(("fluid_force_y",)),
                   Curve(("fluid_force_sideways",)), Curve(("wetted",))):
@@ -122,7 +89,7 @@ def scenes(runs: list[Run]) -> Section:
     section = Section("In space", "The last snapshot: the body, and the spheres behind its axis, pale at rest and dark red where "
                       "fast.")
     for run in runs:
-        section.add(scene.draw, run)
+        section.add(scene.draw, run, "wide" if len(runs) == 1 else "half")
     return section
 
 

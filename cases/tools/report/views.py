@@ -27,11 +27,13 @@ def view(axis, cut, colours):
 
 
 def window(cuts):
-    """Limits [mm] of views of the same run: everything the body passes, three lengths of it wide; without a body
-    everything."""
+    """Limits [mm] of views of the same run: everything the body passes and the spheres below, three lengths of it wide;
+    without a body everything."""
     outlines = [cut.outline for cut in cuts if cut.outline is not None]
     if not outlines:
         return tuple((1e3 * axis[0], 1e3 * axis[-1]) for axis in (cuts[0].x, cuts[0].y))
     low, high = (1e3 * limit for limit in (min(o[:, 1].min() for o in outlines), max(o[:, 1].max() for o in outlines)))
     half, middle = 0.36 * (high - low), 1e3 * numpy.mean([o[:, 0].mean() for o in outlines])
+    beside = [cut.spheres.position[:, :2] * 1e3 for cut in cuts if cut.spheres is not None]
+    low = min([low, *(y for places in beside for x, y in places if abs(x - middle) < half)])
     return (middle - half, middle + half), (low - 0.2 * half, high + 0.15 * half)
