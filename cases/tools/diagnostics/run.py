@@ -89,12 +89,12 @@ class Run:
     @cached_property
     def particles(self) -> Snapshots:
         """Spheres over time, particles.h5."""
-        return Snapshots(self.folder / "particles.h5", "particles")
+        return Snapshots(self.folder / "particles.h5", "particles", "the script's fix results")
 
     @cached_property
     def coarse(self) -> Snapshots:
         """Coarse fields over time, coarse.h5."""
-        return Snapshots(self.folder / "coarse.h5", "coarse")
+        return Snapshots(self.folder / "coarse.h5", "coarse", "frazilFoam")
 
     def text(self, name: str) -> str:
         """A text file, as one of OpenFOAM's dictionaries."""

@@ -61,6 +61,8 @@ def values(runs: list[Run], *modules: str) -> list[Row]:
     """Every number of those modules of diagnostics that any run has."""
     chosen = [each for each in VALUES.values() if each.function.__module__.rpartition(".")[2] in modules]
     rows = [numbers(each, *asked(runs, each)) for each in chosen]
+    if all(cell == NONE for row in rows for cell in row.cells):
+        raise Missing(rows[0].reasons[0])
     return [row for row in rows if any(cell != NONE for cell in row.cells)]
 
 
