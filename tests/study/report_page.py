@@ -137,6 +137,23 @@ class Report(unittest.TestCase):
             self.assertEqual(tables.number(value), text)
 
 
+class Vtk(unittest.TestCase):
+    def setUp(self):
+        self.folder = made_run.make(Path(self.enterContext(tempfile.TemporaryDirectory())) / "toy")
+
+    @unittest.skipUnless(scene.screen() is not None, "neither VTK nor a screen for it")
+    def test_image(self):
+        self.assertEqual(scene.rendered(Run(self.folder))[:4], b"\x89PNG")
+
+    def test_fails_quietly(self):
+        """No VTK, or one that aborts: matplotlib draws."""
+        for command in (None, ["false"]):
+            with mock.patch.object(scene, "screen", lambda: command):
+                self.assertIsNone(scene.rendered(Run(self.folder)))
+        with mock.patch.object(scene, "screen", lambda: ["false"]):
+            self.assertTrue(scene.draw(Run(self.folder), "wide").source.startswith("data:image/png"))
+
+
 class CommandLine(unittest.TestCase):
     def setUp(self):
         self.place = Path(self.enterContext(tempfile.TemporaryDirectory()))

@@ -75,14 +75,23 @@ def draw(run: Run, shape: str) -> Picture:
 
 
 # ------------------------------------------------------------------------------------------------------------------- VTK
+def screen() -> list[str] | None:
+    """What to start VTK with so that it can draw; None where it is not installed or has nothing to draw on."""
+    if not importlib.util.find_spec("vtkmodules"):
+        return None
+    if os.environ.get("DISPLAY"):
+        return []
+    return ["xvfb-run", "-a"] if shutil.which("xvfb-run") else None
+
+
 def rendered(run: Run) -> bytes | None:
     """The image that scene_vtk.py makes; None where it cannot. In a process of its own: VTK aborts without a screen."""
-    screen = [] if os.environ.get("DISPLAY") else ["xvfb-run", "-a"]
-    if not importlib.util.find_spec("vtkmodules") or (screen and not shutil.which(screen[0])):
+    prefix = screen()
+    if prefix is None:
         return None
     with tempfile.TemporaryDirectory() as folder:
         image = Path(folder, "scene.png")
-        command = [*screen, sys.executable, "-B", "-m", "report.scene_vtk", str(run.folder), str(image)]
+        command = [*prefix, sys.executable, "-B", "-m", "report.scene_vtk", str(run.folder), str(image)]
         try:
             subprocess.run(command, env=dict(os.environ, PYTHONPATH=python_path()), capture_output=True, timeout=PATIENCE)
         except (OSError, subprocess.TimeoutExpired):
