@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+from pathlib import Path
 from typing import NoReturn
 
 from . import places
@@ -71,6 +72,19 @@ def sweep(arguments: argparse.Namespace) -> int:
     return run_study(arguments)
 
 
+def report(arguments: argparse.Namespace) -> int:
+    """Writes a page about one run or several."""
+    try:
+        from report.page import page
+    except ImportError as missing:
+        raise Failure(f"report needs Python's {missing.name}; install python3-{missing.name}, or all of Frazil's packages with "
+                      "./frazil setup.") from None
+    out = Path(arguments.output or Path(arguments.run[0], "report.html"))
+    out.write_text(page(arguments.run))
+    print(f"report: {out}")
+    return 0
+
+
 def list_of_cases() -> str:
     """Ends the help of `run`: every case with its question."""
     questions = {name: read(find_case(name)).get("question", "") for name in shipped()}
@@ -106,6 +120,10 @@ def parser() -> argparse.ArgumentParser:
     command.add_argument("--resume", action="store_true", help="continue an interrupted run")
     command.set_defaults(act=run_case)
     add_sweep(commands.add_parser("sweep", help="run a case at many points, on the local cores or on Slurm"))
+    command = commands.add_parser("report", help="a page about a run, or several side by side, also while they go on")
+    command.add_argument("run", nargs="+", metavar="RUN", help="run folder")
+    command.add_argument("--output", metavar="FILE", help="the page (default: report.html in the first run folder)")
+    command.set_defaults(act=report)
     command = commands.add_parser("test", help="set up and run all tests; further arguments go to ctest")
     command.add_argument("ctest", nargs=argparse.REMAINDER, metavar="ctest arguments")
     command.set_defaults(act=test)

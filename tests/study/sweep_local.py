@@ -7,9 +7,9 @@ import time
 import unittest
 from pathlib import Path
 
-import study
+import small_study
 
-study.skip_without_snakemake()
+small_study.skip_without_snakemake()
 
 
 class Local(unittest.TestCase):
@@ -41,7 +41,7 @@ class Local(unittest.TestCase):
 
     def test_interrupted_and_resumed(self):
         """As Ctrl-C does: nothing is left running, and the points that had ended are not run again."""
-        small = study.SmallStudy(self.scratch, (1e6, 2e6, 3e6, 4e6))
+        small = small_study.SmallStudy(self.scratch, (1e6, 2e6, 3e6, 4e6))
 
         def kill(process):
             process.send_signal(signal.SIGTERM)
@@ -51,7 +51,7 @@ class Local(unittest.TestCase):
 
     def test_killed_and_resumed(self):
         """The sweep and Snakemake are killed outright, the points under way are not: they are ended before they are run again."""
-        small = study.SmallStudy(self.scratch, (1e6, 2e6, 3e6, 4e6), rate=1.0)
+        small = small_study.SmallStudy(self.scratch, (1e6, 2e6, 3e6, 4e6), rate=1.0)
 
         def kill(process):
             for pid in (process.pid, *self.snakemakes(small.folder)):
@@ -78,7 +78,7 @@ class Local(unittest.TestCase):
     def test_failed_point_and_retry(self):
         """A point with a damping that frazilDem refuses: its words stand in table and page, the others have their numbers, and
         --retry-failed runs it and no other."""
-        small = study.SmallStudy(self.scratch, (1e6,))
+        small = small_study.SmallStudy(self.scratch, (1e6,))
         with small.file.open("a") as file:
             file.write("points: [{bond_damping: -1.0}]\n")
         code, said = small.run()
@@ -97,7 +97,7 @@ class Local(unittest.TestCase):
 
     def test_added_points(self):
         """Only the new ones are run; other fixed parameters are refused in words; --dry-run runs nothing."""
-        small = study.SmallStudy(self.scratch, (1e6,))
+        small = small_study.SmallStudy(self.scratch, (1e6,))
         self.assertEqual(small.run()[0], 0)
         before = small.ended()
         small.write((1e6, 2e6))
@@ -114,7 +114,7 @@ class Local(unittest.TestCase):
 
     def test_two_at_once(self):
         """The second sweep of a folder is refused, and told how to end the first one."""
-        small = study.SmallStudy(self.scratch, (1e6,))
+        small = small_study.SmallStudy(self.scratch, (1e6,))
         first = small.start()
         while not (small.folder / "snakemake.log").is_file():
             time.sleep(0.05)

@@ -8,10 +8,10 @@ import time
 import unittest
 from pathlib import Path
 
-import study
-from slurm_here import missing, Slurm
+import small_study
+from slurm import missing, Slurm
 
-study.skip_without_snakemake()
+small_study.skip_without_snakemake()
 if missing():
     print(f"skipped: {missing()}")
     sys.exit(77)
@@ -47,7 +47,7 @@ class OnSlurm(unittest.TestCase):
 
     def test_whole_sweep(self):
         """Each point is one job of as many tasks as ranks; all are done and nothing stays in the queue."""
-        small = study.SmallStudy(self.scratch, (1e6, 2e6))
+        small = small_study.SmallStudy(self.scratch, (1e6, 2e6))
         begin = time.monotonic()
         code, said = small.run("--slurm", "--sbatch", "time=10")
         print(f"{said}{time.monotonic() - begin:.0f} s")
@@ -58,7 +58,7 @@ class OnSlurm(unittest.TestCase):
 
     def test_interrupted_and_resumed(self):
         """Ctrl-C cancels the jobs; the second call runs what had not ended."""
-        small = study.SmallStudy(self.scratch, (1e6, 2e6, 4e6))
+        small = small_study.SmallStudy(self.scratch, (1e6, 2e6, 4e6))
         process = self.start(small)
         self.wait_for(lambda: len(small.ended()) >= 2)
         process.terminate()
@@ -73,7 +73,7 @@ class OnSlurm(unittest.TestCase):
 
     def test_cancelled_job(self):
         """A job that Slurm ends, as at its time limit, is not taken for a failed point: the others go on, the next call runs it."""
-        small = study.SmallStudy(self.scratch, (1e6,), rate=0.3)
+        small = small_study.SmallStudy(self.scratch, (1e6,), rate=0.3)
         process = self.start(small)
         victim = "frazil-tensile_strength-1000000_weibull_seed-1"
         self.wait_for(lambda: list(small.folder.glob("points/*seed-1/log.dem")))
