@@ -93,6 +93,8 @@ class Local(unittest.TestCase):
         before = small.ended()
         self.assertEqual((small.run()[0], small.ended()), (1, before))
         small.run("--retry-failed")
+        attempts = (small.folder / "log/bond_damping--1.txt").read_text().count(" bond_damping--1\n")
+        self.assertEqual(attempts, 2)
         self.assertEqual({name for name, moment in small.ended().items() if moment != before[name]}, {"bond_damping--1"})
 
     def test_added_points(self):

@@ -1,17 +1,21 @@
 """The study file and its points: numbers worked out by hand, names that stay, and words for every mistake."""
 
 import math
+import re
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 try:
     import scipy, yaml
 except ImportError:
     sys.exit(77)  # CTest: skipped
 
+from launcher.places import TOP
 from launcher.say import Failure
+from sweep import needs
 from sweep.points import point_name, points
 from sweep.reader import read_study
 
@@ -96,6 +100,27 @@ class Points(Study):
         """on is a word and 4e-3 a number, as in the JSON of the cases."""
         study = self.study("vary: {shielding: [on, off], bond_damping: [5e-2]}")
         self.assertEqual((study.vary["shielding"], study.set), (["on", "off"], {"end_time": 0.004}))
+
+
+class Shipped(unittest.TestCase):
+    def test_studies(self):
+        """Each can be read, has points, and is in README's table."""
+        rows = re.findall(r"^\| \[.*?\]\((cases/.*?\.yaml)\) \|", (TOP / "README.md").read_text(), re.MULTILINE)
+        files = sorted(str(path.relative_to(TOP)) for path in TOP.glob("cases/*/studies/*.yaml"))
+        self.assertEqual(sorted(rows), files)
+        for file in files:
+            self.assertGreater(len(points(read_study(TOP / file))), 1)
+
+
+class Needs(unittest.TestCase):
+    def test_missing_packages_are_asked_for(self):
+        with mock.patch("os.geteuid", return_value=1000), self.assertRaisesRegex(Failure, "apt-get install .* python3-nosuch"):
+            needs.need({"nosuch": "python3-nosuch", "json": "python3-json"})
+
+    def test_another_snakemake(self):
+        """--cluster is gone in version 8: said before anything runs."""
+        with mock.patch.object(needs, "output_of", return_value="8.4.1\n"), self.assertRaisesRegex(Failure, "snakemake 8.4.1: .* version 7"):
+            needs.need_snakemake()
 
 
 class Mistakes(Study):
