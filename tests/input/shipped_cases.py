@@ -8,6 +8,10 @@ from launcher.case import find_case, read, shipped
 from launcher.places import TOP
 
 
+UNITS = {"sphere_diameter": "m", "impact_speed": "m/s", "end_time": "s", "ice_density": "kg/m3", "bond_young": "Pa",
+         "tensile_strength": "Pa", "shear_strength": "Pa"}  # what several cases have
+
+
 class ShippedCases(unittest.TestCase):
     def test_table_of_the_readme(self):
         """A row each and no other: question, levels, and whether frazilDem runs alone, as case.json has them."""
@@ -30,6 +34,16 @@ class ShippedCases(unittest.TestCase):
         for name in shipped():
             text = read(find_case(name))
             self.assertLessEqual(text.get("test", {}).keys(), text["levels"][text["default_level"]].keys())
+
+    def test_units(self):
+        """Of parameters that there are, and the same ones in all cases."""
+        for name in shipped():
+            text = read(find_case(name))
+            parameters = set().union(*text["levels"].values())
+            self.assertLessEqual(text["units"].keys(), parameters)
+            self.assertLessEqual(parameters & UNITS.keys(), text["units"].keys())
+            for parameter in text["units"].keys() & UNITS.keys():
+                self.assertEqual(text["units"][parameter], UNITS[parameter], f"{name}: {parameter}")
 
 
 if __name__ == "__main__":

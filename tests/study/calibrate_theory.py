@@ -2,7 +2,8 @@
 
 The lattice's factors are those of cases/tools/lattice.py, whose specimens the ice cases hold against frazilDem.
 """
-import argparse
+import dataclasses
+import math
 import subprocess
 import sys
 
@@ -58,6 +59,10 @@ def correction(result):
     result.near("E_b [GPa]", after.young / 1e9, 0.4 * 0.7 / 0.6, 1e-12)
     result.near("σc [MPa]", after.tensile_strength / 1e6, 0.6 * 0.81 / 0.9, 1e-12)
     result.near("τc by the mean of two seeds [MPa]", after.shear_strength / 1e6, 0.3 * 2.56 / 2.5, 1e-12)
+    twice = Round(dataclasses.replace(one.bonds, shear_strength=0.6e6), {**has, lattice.COMPRESSION: [Measured(0.6e9, 3.5e6, True)]})
+    half = math.log(3.5 / 2.5) / math.log(2)
+    result.near("τc where its double has raised compression by 1.4 [MPa]", twice.corrected(STUDY, one).shear_strength / 1e6,
+                0.6 * (2.56 / 3.5)**(1 / half), 1e-12)
     result.near("error of bending", one.errors(STUDY)["bending"], 0.9 / 0.81 - 1, 1e-12)
 
 

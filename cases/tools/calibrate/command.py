@@ -10,7 +10,6 @@ from launcher import places
 from launcher.environment import environment
 from launcher.run import free_folder
 from launcher.say import clock, Failure
-from sweep.needs import need
 
 from . import result
 from .bonds import Sample, Targets
@@ -23,7 +22,6 @@ def sample_of(options: argparse.Namespace, folder: Path) -> Sample:
     """What the specimens are made of; a random packing is made here, in the folder."""
     if options.packing == "hcp":
         return Sample(options.diameter, options.density, options.layers)
-    need({"scipy": "python3-scipy"})
     import numpy
 
     from packing import cell

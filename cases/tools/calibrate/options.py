@@ -24,7 +24,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     number("--packing", default="hcp", choices=("hcp", "random"), help="of the spheres: a lattice (default) or a random one")
     number("--largest", type=float, metavar="M", help="of the spheres of a random packing: diameters from --diameter to this")
     number("--spheres", type=int, default=2000, help="of the cell that the random packing repeats (2000)")
-    number("--tolerance", type=float, default=0.01, help="largest relative error at which the search ends (0.01)")
+    number("--tolerance", type=float, default=0.02, help="largest relative error at which the search ends (0.02)")
     number("--rounds", type=int, default=5, help="at most so many (5)")
     number("--out", metavar="DIR", help="folder of the specimens (default: a new one in runs/)")
 

@@ -11,8 +11,10 @@ Also from a run that is still going on or was interrupted. A module imports only
     snapshots, run                 the files
     surface, foam                  the body's surface and attitude; the fluid's mesh and fields
     scales                         the study's units
-    body, ice, cut, ledger, wall_time
+    facts
+    body, loads, scaled            the body: motion, forces, both in the study's units
+    ice, cut, ledger, momentum, wall_time
 """
-from . import body, ice, ledger, wall_time
+from . import body, ice, ledger, loads, momentum, scaled, wall_time
 from .catalogue import Missing, Series, SERIES, VALUES
 from .run import Run

@@ -1,25 +1,11 @@
-"""The body: motion and loads, from history.csv. y is up and the still surface is at y = 0; a load is one on the body.
-
-Forces are those of the last DEM step of each fluid step, not means over it: a peak between two rows is not in the file.
-"""
+"""The body's motion, from history.csv. y is up and the still surface is at y = 0."""
 from __future__ import annotations
 
 import numpy
 
-from . import scales
-from .catalogue import Missing, series, Series, value
+from .catalogue import series, Series, value
 from .run import Run
-from .surface import motion, placed, poses, vertices
-
-
-def length(run: Run, *names: str) -> Series:
-    """Magnitude √(a² + b² + ...) of columns of the history."""
-    return Series(run.column(names[0]).time, numpy.linalg.norm(motion(run, *names), axis=1))
-
-
-def scaled(what: Series, unit: float) -> Series:
-    """A series over one of the study's units."""
-    return Series(what.time, what.values / unit)
+from .surface import length, motion, placed, poses, vertices
 
 
 @series("speed", "m/s")
@@ -52,119 +38,10 @@ def tilt(run: Run) -> Series:
     return Series(run.column("wx").time, numpy.degrees(numpy.arccos(numpy.clip(upright, -1, 1))))
 
 
-@series("contact force", "N")
-def contact_force(run: Run) -> Series:
-    """|F_c|, all contacts with spheres [N]."""
-    return length(run, "contact_fx", "contact_fy", "contact_fz")
-
-
-@series("vertical contact force", "N")
-def contact_force_y(run: Run) -> Series:
-    """F_cy, upwards positive [N]."""
-    return run.column("contact_fy")
-
-
-@series("sideways contact force", "N")
-def contact_force_sideways(run: Run) -> Series:
-    """√(F_cx² + F_cz²) [N]."""
-    return length(run, "contact_fx", "contact_fz")
-
-
-@series("vertical fluid force", "N")
-def fluid_force_y(run: Run) -> Series:
-    """F_hy of pressure and friction, buoyancy included, upwards positive [N]."""
-    return run.column("fluid_fy")
-
-
-@series("sideways fluid force", "N")
-def fluid_force_sideways(run: Run) -> Series:
-    """√(F_hx² + F_hz²) [N]."""
-    return length(run, "fluid_fx", "fluid_fz")
-
-
 @series("wetted share of the body's volume", "")
 def wetted(run: Run) -> Series:
     """Volume of the body in water over its volume [-]."""
     return run.column("wetted")
-
-
-@series("scaled speed u*", "")
-def scaled_speed(run: Run) -> Series:
-    """u* = |v|/c [-] (scales.py)."""
-    return scaled(speed(run), scales.wave_speed(run))
-
-
-@series("scaled depth L*", "")
-def scaled_depth(run: Run) -> Series:
-    """L* = depth/D0 [-] (scales.py)."""
-    return scaled(depth(run), scales.diameter(run))
-
-
-@series("scaled vertical contact force F*c", "")
-def scaled_contact_force(run: Run) -> Series:
-    """F*c = F_cy/(½ ρw c² S) [-] (scales.py)."""
-    return scaled(contact_force_y(run), scales.force_scale(run))
-
-
-@series("scaled vertical fluid force F*h", "")
-def scaled_fluid_force(run: Run) -> Series:
-    """F*h = F_hy/(½ ρw c² S) [-] (scales.py)."""
-    return scaled(fluid_force_y(run), scales.force_scale(run))
-
-
-@value("first contact with a sphere", "s")
-def first_contact(run: Run) -> float:
-    """Time of the first row with |F_c| > 0 [s]."""
-    moment = contact_force(run).first_above()
-    if moment is None:
-        raise Missing(f"{run.folder / 'history.csv'}: no contact of the body yet.")
-    return moment
-
-
-@value("first touch of ice or water", "s")
-def touch(run: Run) -> float:
-    """Time of the first row with |F_c| > 0 or a wetted share > 0 [s]: the zero of the scaled time."""
-    moments = [what(run).first_above() for what in (contact_force, wetted)]
-    moments = [moment for moment in moments if moment is not None]
-    if not moments:
-        raise Missing(f"{run.folder / 'history.csv'}: the body has touched neither ice nor water yet.")
-    return min(moments)
-
-
-@value("largest contact force", "N")
-def peak_contact_force(run: Run) -> float:
-    """max |F_c| [N]."""
-    return contact_force(run).peak()
-
-
-@value("largest contact force after the first contact", "s")
-def peak_contact_delay(run: Run) -> float:
-    """Time from the first contact to max |F_c| [s]; the study has 0.122 ms."""
-    return contact_force(run).time_of_peak() - first_contact(run)
-
-
-@value("largest scaled contact force F*c", "")
-def peak_scaled_contact_force(run: Run) -> float:
-    """max |F_c|/(½ ρw c² S) [-] (scales.py)."""
-    return peak_contact_force(run) / scales.force_scale(run)
-
-
-@value("largest vertical fluid force", "N")
-def peak_fluid_force(run: Run) -> float:
-    """max F_hy [N]."""
-    return fluid_force_y(run).peak()
-
-
-@value("impulse of the contacts, upwards", "N s")
-def contact_impulse(run: Run) -> float:
-    """∫ F_cy dt [N s], trapezoidal rule over the rows."""
-    return contact_force_y(run).integral()
-
-
-@value("impulse of the fluid, upwards", "N s")
-def fluid_impulse(run: Run) -> float:
-    """∫ F_hy dt [N s], trapezoidal rule over the rows."""
-    return fluid_force_y(run).integral()
 
 
 @value("speed at the end", "m/s")

@@ -10,6 +10,7 @@ A function whose input the run does not have raises Missing, in words; it never 
 """
 from __future__ import annotations
 
+import inspect
 from dataclasses import dataclass
 from typing import Callable
 
@@ -64,6 +65,11 @@ class Diagnostic:
     def title(self) -> str:
         """Label and unit, for axes and tables."""
         return f"{self.label} [{self.unit}]" if self.unit else self.label
+
+    @property
+    def definition(self) -> str:
+        """Formula and source, as the function says them, in one line."""
+        return " ".join(inspect.getdoc(self.function).split())
 
     def __call__(self, run):
         return self.function(run)

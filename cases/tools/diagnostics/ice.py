@@ -8,8 +8,6 @@ import numpy
 from .catalogue import Missing, series, Series, value
 from .run import Run
 
-MODES = ("tension", "shear")
-
 
 @series("bonds broken in tension", "")
 def broken_tension(run: Run) -> Series:
@@ -108,32 +106,30 @@ def crushed_share(run: Run) -> float:
 
 @dataclass(frozen=True)
 class Cracks:
-    """Broken bonds: time [s], mode, and centre [m] in the unbroken ice."""
+    """Broken bonds: time [s]; centre [m], direction (unit vector) and length [m] of each in the unbroken ice."""
 
     time: numpy.ndarray
-    mode: numpy.ndarray
     place: numpy.ndarray
+    normal: numpy.ndarray
+    length: numpy.ndarray
 
 
 def cracks(run: Run) -> Cracks:
     """Every broken bond, where it was in the ice at the first snapshot, so that a crack keeps its form while the pieces
-    move: ½(x1 + x2) of its two spheres. Without particles.h5: where it broke."""
+    move: centre ½(x1 + x2), direction and length of x2 - x1. The crack's face is the disc across the bond."""
     events = run.events
-    place = numpy.column_stack([events[name] for name in "xyz"])
-    try:
-        ids, position = run.particles.read(0, "id", "position")
-    except Missing:
-        return Cracks(events["time"], events["mode"], place)
-    ends = [numpy.searchsorted(ids, events[name]) for name in ("id1", "id2")]
-    return Cracks(events["time"], events["mode"], 0.5 * (position[ends[0]] + position[ends[1]]))
+    if not len(events["time"]):
+        raise Missing(f"{run.folder / 'dem/bonds.csv'}: no bond has broken yet.")
+    ids, position = run.particles.read(0, "id", "position")
+    first, second = (position[numpy.searchsorted(ids, events[name])] for name in ("id1", "id2"))
+    length = numpy.linalg.norm(second - first, axis=1)
+    return Cracks(events["time"], 0.5 * (first + second), (second - first) / length[:, None], length)
 
 
 @series("radius of the cracks", "m")
 def crack_radius(run: Run) -> Series:
     """Largest distance from the vertical axis x = z = 0 of a bond broken so far [m]; the cracks' way through the plane."""
     found = cracks(run)
-    if not len(found.time):
-        raise Missing(f"{run.folder / 'dem/bonds.csv'}: no bond has broken yet.")
     return Series(found.time, numpy.maximum.accumulate(numpy.hypot(found.place[:, 0], found.place[:, 2])))
 
 

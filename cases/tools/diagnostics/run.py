@@ -25,11 +25,7 @@ class Run:
             raise Missing(f"{folder}: there is no such folder; name one that ./frazil run has made.")
         if not any((self.folder / name).is_file() for name in KNOWN):
             raise Missing(f"{folder}: is no run folder, it has none of {', '.join(KNOWN)}; name one that ./frazil run has made.")
-
-    @property
-    def name(self) -> str:
-        """The folder's own name."""
-        return self.folder.resolve().name
+        self.name = self.folder.resolve().name
 
     @cached_property
     def plan(self) -> dict:
@@ -93,19 +89,24 @@ class Run:
     @cached_property
     def particles(self) -> Snapshots:
         """Spheres over time, particles.h5."""
-        return Snapshots(self.folder / "particles.h5", "particles")
+        return Snapshots(self.folder / "particles.h5", "particles", "the script's fix results")
 
     @cached_property
     def coarse(self) -> Snapshots:
         """Coarse fields over time, coarse.h5."""
-        return Snapshots(self.folder / "coarse.h5", "coarse")
+        return Snapshots(self.folder / "coarse.h5", "coarse", "frazilFoam")
 
     def text(self, name: str) -> str:
-        """A text file, as a log or a dictionary."""
+        """A text file, as one of OpenFOAM's dictionaries."""
         path = self.folder / name
         if not path.is_file():
             raise Missing(f"{path}: does not exist.")
         return path.read_text(errors="replace")
+
+    def log(self, name: str) -> str:
+        """The whole lines of a log that may be growing."""
+        text = self.text(name)
+        return text[: text.rfind("\n") + 1]
 
     def entry(self, name: str, key: str) -> float:
         """A number in one of OpenFOAM's dictionaries: the first `key number;`."""

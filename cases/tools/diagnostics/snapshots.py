@@ -10,7 +10,7 @@ import numpy
 
 from .catalogue import Missing
 
-ATTEMPTS, PAUSE = 10, 0.2  # of reading a file [-], [s]: the writer holds it for as long as one snapshot takes
+ATTEMPTS, PAUSE = 5, 0.2  # of reading a file [-], [s]: the writer holds it for as long as one snapshot takes
 
 # A reader's lock would make the writer fail and end a run that is going on.
 os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
@@ -19,8 +19,8 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 class Snapshots:
     """One series of a file: `particles` and `bonds` of particles.h5, `coarse` of coarse.h5."""
 
-    def __init__(self, path: Path, series: str) -> None:
-        self.path, self.series = path, series
+    def __init__(self, path: Path, series: str, writer: str) -> None:
+        self.path, self.series, self.writer = path, series, writer
         whole = self.look(self.whole_groups)
         if not whole:
             raise Missing(f"{path}: holds no whole snapshot of {series}; wait for the first one of a run that has just begun.")
@@ -30,7 +30,7 @@ class Snapshots:
     def look(self, read: Callable):
         """What `read` makes of the file; again where the writer is at work."""
         if not self.path.is_file():
-            raise Missing(f"{self.path}: does not exist; the case's script has no fix results, or the run has just begun.")
+            raise Missing(f"{self.path}: does not exist; {self.writer} writes it, from its first snapshot on.")
         try:
             import h5py
         except ImportError:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy
 
-from .catalogue import Missing
+from .catalogue import Missing, Series
 from .run import Run
 
 
@@ -51,6 +51,11 @@ def turn(rotation: numpy.ndarray) -> numpy.ndarray:
 def motion(run: Run, *names: str) -> numpy.ndarray:
     """Columns of the body in history.csv side by side."""
     return numpy.column_stack([run.column(name).values for name in names])
+
+
+def length(run: Run, *names: str) -> Series:
+    """Magnitude √(a² + b² + ...) of columns of the history."""
+    return Series(run.column(names[0]).time, numpy.linalg.norm(motion(run, *names), axis=1))
 
 
 def poses(run: Run) -> tuple[numpy.ndarray, list[numpy.ndarray]]:

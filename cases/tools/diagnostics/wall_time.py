@@ -48,7 +48,7 @@ def mean_fluid_step(run: Run) -> float:
 
 def dem_phases(run: Run) -> dict[str, float]:
     """frazilDem's own account [s], longest of all its ranks: the line FRAZIL_TIMERS of log.dem; the rest is LIGGGHTS."""
-    found = re.search(r"^FRAZIL_TIMERS side=dem (.*)$", run.text("log.dem"), re.MULTILINE)
+    found = re.search(r"^FRAZIL_TIMERS side=dem (.*)$", run.log("log.dem"), re.MULTILINE)
     if not found:
         raise Missing(f"{run.folder / 'log.dem'}: has no FRAZIL_TIMERS yet; frazilDem writes it at its end.")
     seconds = {name: float(word) for name, word in (pair.split("=") for pair in found.group(1).split())}
@@ -58,7 +58,7 @@ def dem_phases(run: Run) -> dict[str, float]:
 
 def foam_phases(run: Run) -> dict[str, float]:
     """frazilFoam's own account [s], of its first rank: the table at the end of log.foam; the rest is the fluid's equations."""
-    _, _, table = run.text("log.foam").rpartition("Coupling, wall time on the first fluid rank")
+    _, _, table = run.log("log.foam").rpartition("Coupling, wall time on the first fluid rank")
     rows = re.findall(r"^    (\S.*?) ([\d.e+-]+) ([\d.e+-]+)$", table, re.MULTILINE)
     if not rows:
         raise Missing(f"{run.folder / 'log.foam'}: has no table of wall time yet; frazilFoam writes it at its end.")

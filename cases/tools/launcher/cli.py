@@ -6,9 +6,10 @@ import os
 import signal
 import subprocess
 import sys
+from pathlib import Path
 from typing import NoReturn
 
-from . import places
+from . import places, studies
 from .build import setup
 from .case import find_case, read, shipped
 from .environment import environment
@@ -63,21 +64,6 @@ def carry_out(run: Run, fresh: bool) -> int:
     return status
 
 
-def sweep(arguments: argparse.Namespace) -> int:
-    """Runs a case at many points. Its modules need more packages than the rest of the launcher."""
-    from sweep import needs
-    needs.need(needs.ALWAYS)
-    from sweep.run import sweep as run_study
-    return run_study(arguments)
-
-
-def calibrate(arguments: argparse.Namespace) -> int:
-    """Finds the bonds of a given ice."""
-    from calibrate.command import calibrate as find_bonds
-    setup()
-    return find_bonds(arguments)
-
-
 def list_of_cases() -> str:
     """Ends the help of `run`: every case with its question."""
     questions = {name: read(find_case(name)).get("question", "") for name in shipped()}
@@ -112,34 +98,11 @@ def parser() -> argparse.ArgumentParser:
     command.add_argument("--out", metavar="DIR", help="run folder (default: a new one in runs/)")
     command.add_argument("--resume", action="store_true", help="continue an interrupted run")
     command.set_defaults(act=run_case)
-    add_sweep(commands.add_parser("sweep", help="run a case at many points, on the local cores or on Slurm"))
-    add_calibrate(commands.add_parser("calibrate", help="find the bonds whose specimens have the bulk values of an ice"))
+    studies.add_commands(commands)
     command = commands.add_parser("test", help="set up and run all tests; further arguments go to ctest")
     command.add_argument("ctest", nargs=argparse.REMAINDER, metavar="ctest arguments")
     command.set_defaults(act=test)
     return top
-
-
-def add_sweep(command: argparse.ArgumentParser) -> None:
-    """The options of `sweep`."""
-    command.add_argument("study", metavar="STUDY.yaml", help="case, level, what is fixed and what varies")
-    command.add_argument("--out", metavar="DIR", help="study folder (default: runs/CASE-STUDY); the same one goes on")
-    command.add_argument("--dry-run", action="store_true", help="show the points and how long they will take")
-    command.add_argument("--retry-failed", action="store_true", help="run failed points again, from their start")
-    command.add_argument("--cores", type=int, metavar="N", help="local cores to use (default: all)")
-    command.add_argument("--slurm", action="store_true", help="submit each point to Slurm")
-    command.add_argument("--sbatch", action="append", default=[], metavar="KEY=VALUE",
-                         help="with --slurm: an option of sbatch, as in --sbatch time=2:00:00 --sbatch partition=short")
-    command.add_argument("--jobs", type=int, default=100, metavar="N", help="points at Slurm at the same time (default: 100)")
-    command.add_argument("--profile", metavar="DIR", help="a Snakemake 7 profile instead, for other schedulers")
-    command.set_defaults(act=sweep)
-
-
-def add_calibrate(command: argparse.ArgumentParser) -> None:
-    """The options of `calibrate`."""
-    from calibrate.options import add_options
-    add_options(command)
-    command.set_defaults(act=calibrate)
 
 
 def command_line() -> argparse.Namespace:
@@ -157,7 +120,8 @@ def command_line() -> argparse.Namespace:
 def main() -> int:
     """Runs a command; errors meant for the user end with status 1."""
     for number in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.default_int_handler)  # ends a run as Ctrl-C does
+        if signal.getsignal(number) is not signal.SIG_IGN:  # nohup's word counts
+            signal.signal(number, signal.default_int_handler)  # ends a run as Ctrl-C does
     try:
         arguments = command_line()
         return arguments.act(arguments)

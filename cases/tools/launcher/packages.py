@@ -1,6 +1,7 @@
 """Debian's packages: what this system lacks of them, and their installation."""
 from __future__ import annotations
 
+import importlib.util
 import os
 import re
 import shutil
@@ -55,3 +56,11 @@ def install(packages: list[str]) -> None:
     logged("package lists", [*apt, "update"], places.setup_log(), check=False, env=quiet)
     command = [*apt, "install", "-y", "--no-install-recommends", *packages]
     logged(f"{len(packages)} packages", command, places.setup_log(), env=quiet)
+
+
+def need(*modules: str) -> None:
+    """Installs Debian's packages of Python modules that only some commands want, where they are not there."""
+    missing = [f"python3-{module}" for module in modules if not importlib.util.find_spec(module)]
+    if missing:
+        install(missing)
+        importlib.invalidate_caches()

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +11,7 @@ from pathlib import Path
 from . import places
 from .case import find_case, override, read
 from .environment import environment
-from .say import did_you_mean, Failure, logged
+from .say import did_you_mean, Failure, logged, output_of
 
 EXITS = "log.exit"  # in the run folder: program and exit code of whatever failed, the first one first
 
@@ -30,6 +31,12 @@ class Run:
     def title(self) -> str:
         """Short name for messages."""
         return f"{self.case.name} --level {self.level}"
+
+
+def version() -> str:
+    """Of Frazil: the checkout's commit, with `dirty` if it has changes; without git the newest heading of CHANGELOG.md."""
+    commit = output_of(["git", "-C", str(places.TOP), "describe", "--tags", "--always", "--dirty"]).strip()
+    return commit or re.search(r"^## (.*)$", (places.TOP / "CHANGELOG.md").read_text(), re.MULTILINE).group(1)
 
 
 def free_folder(wanted: Path) -> Path:
@@ -79,7 +86,8 @@ def decomposition(ranks: int) -> str:
 def prepare(run: Run) -> None:
     """Writes the inputs of the programs and the fluid's mesh."""
     run.folder.mkdir(parents=True, exist_ok=True)
-    plan_file = {"case": str(run.case), "level": run.level, "np_dem": run.np_dem, "np_foam": run.np_foam}
+    plan_file = {"case": str(run.case), "level": run.level, "np_dem": run.np_dem, "np_foam": run.np_foam,
+                 "version": version()}
     (run.folder / "run.json").write_text(json.dumps(plan_file, indent=2) + "\n")
     params = run.folder / "params.json"
     params.write_text(json.dumps(run.params, indent=2) + "\n")

@@ -23,8 +23,8 @@ INTERRUPT_PATIENCE = 90  # a pair that is asked to end gets 30 s to write its ou
 
 
 def command(folder: StudyFolder, arguments: argparse.Namespace) -> list[str]:
-    """Snakemake's words. --nolock: our own lock tells a living sweep from one that was killed (run.py). Only a missing status
-    file makes a point run: neither a newer Snakefile nor another time of a file does."""
+    """Snakemake's words. --nolock: our own lock tells a living sweep from one that was killed (run.py). Only a missing mark
+    makes a point run: neither a newer Snakefile nor another time of a file does."""
     words = ["snakemake", "--snakefile", str(HERE / "Snakefile"), "--directory", str(folder.path), "--nolock", "--keep-going",
              "--rerun-incomplete", "--rerun-triggers", "mtime", "--scheduler", "greedy",
              "--config", f"python={sys.executable}", f"sweep={HERE}"]
@@ -49,7 +49,8 @@ def slurm_words(arguments: argparse.Namespace) -> list[str]:
 
 def start(folder: StudyFolder, arguments: argparse.Namespace, lock: TextIO) -> subprocess.Popen:
     """Snakemake, in a session of its own, so that Ctrl-C reaches it and its jobs through `stop` only. It inherits the lock,
-    which it keeps if this process is killed."""
+    which it keeps if this process is killed. Its jobs end by SIGINT, which a shell's background jobs inherit as ignored."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     with (folder.path / "snakemake.log").open("ab") as log:
         words = command(folder, arguments)
         log.write(f"\n$ {shlex.join(words)}\n".encode())

@@ -27,9 +27,9 @@ for kind, pattern, first in KINDS:
 def mapping(loader: Loader, node: yaml.MappingNode) -> dict:
     """A mapping in which a key that stands twice is an error."""
     names = [loader.construct_object(key, deep=True) for key, _ in node.value]
-    for key, name in zip(node.value, names):
-        if names.count(name) > 1:
-            raise yaml.MarkedYAMLError(problem=f"{name} stands twice", problem_mark=key[0].start_mark)
+    for n, (key, _) in enumerate(node.value):
+        if names[n] in names[:n]:
+            raise yaml.MarkedYAMLError(problem=f"{names[n]} stands twice", problem_mark=key.start_mark)
     return {name: loader.construct_object(value, deep=True) for name, (_, value) in zip(names, node.value)}
 
 

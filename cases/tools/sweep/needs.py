@@ -2,22 +2,10 @@
 installed when it is first wanted."""
 from __future__ import annotations
 
-import importlib.util
 import shutil
 
 from launcher.packages import install
 from launcher.say import Failure, output_of
-
-ALWAYS = {"yaml": "python3-yaml", "jinja2": "python3-jinja2", "h5py": "python3-h5py", "matplotlib": "python3-matplotlib"}
-SAMPLING = {"scipy": "python3-scipy"}
-
-
-def need(modules: dict[str, str]) -> None:
-    """Installs the Debian packages of Python modules that are not there."""
-    missing = [package for module, package in modules.items() if not importlib.util.find_spec(module)]
-    if missing:
-        install(missing)
-        importlib.invalidate_caches()
 
 
 def need_snakemake() -> None:

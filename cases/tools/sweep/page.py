@@ -12,6 +12,8 @@ from .plots import draw
 from .study import Study
 from .table import Column, columns, Measured, write_csv, write_hdf5
 
+HERE = Path(__file__).resolve().parent
+TEMPLATES = [HERE, HERE.parent / "report"]  # the page of a study looks like that of a run: page.css
 REFRESH = 30  # while the sweep goes on the browser loads the page anew [s]
 
 
@@ -26,12 +28,13 @@ def cell(value: object) -> str:
 
 
 def write_page(study: Study, folder: StudyFolder, table: list[Column], figures: dict[str, list[Path]], going_on: bool) -> None:
-    """Fills page.html.jinja."""
+    """Fills study.html."""
     names = table[0].values
     states = {name: folder.state(name) for name in names}
     count = lambda status: sum(state["status"] == status for state in states.values())
-    template = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string(
-        Path(__file__).with_name("page.html.jinja").read_text())
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, trim_blocks=True,
+                                     lstrip_blocks=True)
+    template = environment.get_template("study.html")
     write_whole(folder.path / "index.html", template.render(
         study=study, total=len(names), done=count(DONE), failed=count(FAILED), refresh=REFRESH if going_on else None,
         headers=[column.header for column in table], rows=[list(map(cell, row)) for row in zip(*(c.values for c in table))],

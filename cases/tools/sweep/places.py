@@ -1,8 +1,8 @@
 """The files of a study folder.
 
     points.json              the points by name, and how each is run
-    points/NAME/             run folder of a point, as of `frazil run`
-    status/NAME.json         how it ended; Snakemake's output file: a point without one is still to be run
+    points/NAME/             run folder of a point, as of `frazil run`, and point.json: how it ended
+    ended/NAME               Snakemake's output file, empty: it deletes that of a point which it sees interrupted
     log/NAME.txt             what the launcher said, one attempt after the other
     snakemake.log            what Snakemake said
     results.csv, results.h5, plots/, index.html
@@ -28,7 +28,11 @@ class StudyFolder:
 
     def status(self, name: str) -> Path:
         """How a point ended."""
-        return self.path / "status" / f"{name}.json"
+        return self.run(name) / "point.json"
+
+    def mark(self, name: str) -> Path:
+        """Snakemake's output file."""
+        return self.path / "ended" / name
 
     def log(self, name: str) -> Path:
         """What was said while a point ran."""

@@ -35,6 +35,12 @@ def repeats(places: numpy.ndarray, values: numpy.ndarray):
     return unique, *(numpy.array([function(group) for group in groups]) for function in (numpy.mean, numpy.min, numpy.max))
 
 
+def tied(one: Column, other: Column) -> bool:
+    """Whether one rises or falls with the other from point to point, as zipped lists do: they are one parameter then."""
+    steps = numpy.diff(numpy.unique(rows(one, other), axis=0), axis=0)
+    return bool((steps[:, 0] > 0).all() and ((steps[:, 1] > 0).all() or (steps[:, 1] < 0).all()))
+
+
 def curve(axis, x: numpy.ndarray, y: numpy.ndarray, label: str = "") -> None:
     """Points in the order of x with a line through their means, and the span of repeats."""
     places, mean, low, high = repeats(x[:, None], y)
@@ -91,9 +97,9 @@ def draw(folder: Path, table: list[Column]) -> dict[str, list[Path]]:
         for one in parameters:
             if len(set(rows(one, metric)[:, 0])) > 1:
                 files.append(folder / f"{metric.name}_over_{one.name}.png")
-                over(files[-1], one, metric, [other for other in parameters if other is not one])
+                over(files[-1], one, metric, [other for other in parameters if other is not one and not tied(one, other)])
         for pair in itertools.combinations(parameters, 2):
-            if all(len(set(column)) > 1 for column in rows(*pair, metric)[:, :2].T):
+            if not tied(*pair) and all(len(set(column)) > 1 for column in rows(*pair, metric)[:, :2].T):
                 files.append(folder / f"{metric.name}_over_{pair[0].name}_{pair[1].name}.png")
                 over_pair(files[-1], pair, metric)
     return figures

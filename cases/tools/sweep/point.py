@@ -1,5 +1,5 @@
 """One point of a study, as Snakemake starts it: runs it as `frazil run` does, and writes how it ended. A failure is a result,
-too, so it ends with exit status 0; only an interrupted point leaves no status, and goes on when the sweep does."""
+too, so it ends with exit status 0; only an interrupted point leaves no point.json, and goes on when the sweep does."""
 from __future__ import annotations
 
 import argparse
@@ -99,6 +99,8 @@ def main() -> int:
     study, name = StudyFolder(Path(sys.argv[1]).resolve()), sys.argv[2]
     about = json.loads((study.path / "points.json").read_text())
     folder = study.run(name)
+    if study.status(name).is_file():  # it ended, but Snakemake was stopped before it knew
+        return 0
     folder.mkdir(parents=True, exist_ok=True)
     os.chdir(folder)  # others_in finds this process by it
     # Open MPI binds the ranks of every small run to the first cores, which runs side by side would then share.

@@ -76,7 +76,7 @@ def latin_hypercube(study: Study) -> list[dict]:
 def sobol(study: Study) -> list[dict]:
     """Scrambled Sobol sequence. A larger count keeps the points of the smaller one."""
     from scipy.stats import qmc
-    power = round(math.log2(study.count))
+    power = study.count.bit_length() - 1
     if 2**power != study.count:
         study.refuse("count", study.count, "Sobol points are even only in powers of two", f"Give {2**power} or {2**(power + 1)}.")
     return sampled(study, qmc.Sobol(len(study.vary), seed=study.seed).random_base2(power))

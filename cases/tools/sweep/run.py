@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import shutil
 import subprocess
 import time
@@ -11,12 +12,13 @@ from pathlib import Path
 from launcher import places
 from launcher.build import setup
 from launcher.case import read
+from launcher.packages import need
 from launcher.say import clock, Failure, Line, tail
 
 from . import jobs
 from .estimate import remaining, side_by_side
 from .lock import held
-from .needs import need, need_snakemake, SAMPLING
+from .needs import need_snakemake
 from .page import write_results
 from .places import DONE, FAILED, StudyFolder, write_whole
 from .points import points as points_of
@@ -31,7 +33,7 @@ def sweep(arguments: argparse.Namespace) -> int:
     """Runs what is left of a study; 1 where a point is not done at the end."""
     study = read_study(Path(arguments.study))
     if study.combine in SAMPLES:
-        need(SAMPLING)
+        need("scipy")
     points = points_of(study)
     folder = StudyFolder(Path(arguments.out or places.TOP / "runs" / f"{study.case.name}-{study.path.stem}").resolve())
     ranks = ranks_of(study)
@@ -84,7 +86,7 @@ def forget_failed(folder: StudyFolder, points: dict[str, dict]) -> None:
     for name in points:
         if folder.state(name)["status"] == FAILED:
             shutil.rmtree(folder.run(name), ignore_errors=True)
-            folder.status(name).unlink()
+            folder.mark(name).unlink(missing_ok=True)
 
 
 def write_points(study: Study, folder: StudyFolder, points: dict[str, dict], ranks: int) -> None:
@@ -93,6 +95,7 @@ def write_points(study: Study, folder: StudyFolder, points: dict[str, dict], ran
              "points": {name: {**study.set, **settings} for name, settings in points.items()}}
     write_whole(folder.path / "points.json", json.dumps(about, indent=2) + "\n")
     write_whole(folder.path / "study.yaml", study.path.read_text())
+    (folder.path / "log").mkdir(exist_ok=True)  # Slurm opens a job's log before Snakemake can make its folder
 
 
 def follow(study: Study, folder: StudyFolder, points: dict[str, dict], process: subprocess.Popen) -> None:
@@ -122,12 +125,19 @@ def summary(folder: StudyFolder, points: dict[str, dict]) -> int:
     states = {name: folder.state(name) for name in points}
     for name, state in states.items():
         if state["status"] == FAILED:
-            print(f"failed: {name}: {state['why'].splitlines()[-1]}\n  log: {folder.log(name)}")
+            print("\n  ".join([f"failed: {name}", *state["why"].splitlines()[-3:], f"log: {folder.log(name)}"]))
     ends = [state["status"] for state in states.values()]
     done, failed = ends.count(DONE), ends.count(FAILED)
     print(f"{done} of {len(points)} points done" + (f", {failed} failed (--retry-failed runs them again)" if failed else ""))
     if done + failed < len(points):
-        print("\n".join(tail(folder.path / "snakemake.log", 12)))
-        print(f"{len(points) - done - failed} have not ended: start the same command again to go on")
+        say_unfinished(folder, [name for name, state in states.items() if state["status"] not in (DONE, FAILED)])
     print(f"results: {folder.path / 'index.html'}, results.csv, results.h5")
     return 0 if done == len(points) else 1
+
+
+def say_unfinished(folder: StudyFolder, names: list[str]) -> None:
+    """Points that neither ended nor failed: killed, cancelled, or not started; Snakemake may know why."""
+    noise = re.compile(r"Error (in|executing) rule|check log file")
+    said = [line for line in tail(folder.path / "snakemake.log", 60) if re.search("[Ee]rror", line) and not noise.search(line)]
+    print("\n".join(["not ended:", *(f"  {name}" for name in names), *said[-3:]]))
+    print(f"Start the same command again to go on. Logs: {folder.path / 'log'}, {folder.path / 'snakemake.log'}")
