@@ -1,4 +1,4 @@
-"""Helpers of the verification scripts: tutorial copies, runs and fields of OpenFOAM, standard library only."""
+"""Helpers of the scripts in foam/: tutorial copies, runs and fields of OpenFOAM, standard library only."""
 
 import os
 import pathlib
