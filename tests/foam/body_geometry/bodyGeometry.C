@@ -12,6 +12,7 @@ Description
 
 #include "fvCFD.H"
 #include "cpuTime.H"
+#include "follow.H"
 #include "immersedBodies.H"
 #include "bodyCellSize.H"
 #include "syncTools.H"
@@ -190,13 +191,7 @@ void run
         require(max(mag(bodies.gamma().oldTime().primitiveField() - last)) == 0, "old gamma is the last one");
         checkGuarantees(bodies);
         report(bodies, alpha1);
-        for (label i = 0; i < bodies.size(); ++i)
-        {
-            const bodyPose pose(bodies.pose(i));
-            states[i].centre = toVec3(pose.centre);
-            const quaternion q(pose.rotation);
-            states[i].orientation = {q.w(), q.v().x(), q.v().y(), q.v().z()};
-        }
+        follow(states, bodies);
     }
     const scalarField& gamma = bodies.gamma().primitiveField();
     const scalar nCut = gSum(scalarField(pos(gamma)*pos(1 - gamma)));

@@ -14,6 +14,7 @@ Description
 
 #include "fvCFD.H"
 #include "pimpleControl.H"
+#include "follow.H"
 #include "immersedBodies.H"
 #include "openVolume.H"
 #include "faceMax.H"
@@ -466,23 +467,6 @@ void checkInactive(const stepFields& f)
 
 
 // * * * * * * * * * * * * * * * * The steps * * * * * * * * * * * * * * * * //
-
-//- States of the next step's start
-void follow(std::vector<frazil::BodyState>& states, const immersedBodies& bodies)
-{
-    for (label i = 0; i < bodies.size(); ++i)
-    {
-        const bodyPose& pose = bodies.pose(i);
-        const quaternion q(pose.rotation);
-        states[i].centre = toVec3(pose.centre);
-        states[i].orientation[0] = q.w();
-        for (direction d = 0; d < 3; ++d)
-        {
-            states[i].orientation[1 + d] = q.v()[d];
-        }
-    }
-}
-
 
 void run(Time& runTime, const fvMesh& mesh, pimpleControl& pimple, const label steps)
 {
