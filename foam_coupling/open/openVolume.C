@@ -89,7 +89,20 @@ void openVolume::use
 {
     fluidFraction_ = &fluidFraction;
     bodies_ = bodies;
+    makeFields(phi, rho);
 
+    update();
+    start_() == end_();
+    wholeStep();
+    setFaces();
+    rhoE_() == end_()*rho;
+    rhoE_().oldTime();
+    wholeFlux_().oldTime();
+}
+
+
+void openVolume::makeFields(const surfaceScalarField& phi, const volScalarField& rho)
+{
     const dimensionedScalar one("one", dimless, 1.0);
     epsilon_ = cellField("epsilon", mesh_, one);
     start_ = cellField("epsilonStart", mesh_, one);
@@ -116,14 +129,6 @@ void openVolume::use
             1.0*rho
         )
     );
-
-    update();
-    start_() == end_();
-    wholeStep();
-    setFaces();
-    rhoE_() == end_()*rho;
-    rhoE_().oldTime();
-    wholeFlux_().oldTime();
 }
 
 

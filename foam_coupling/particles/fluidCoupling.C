@@ -71,14 +71,7 @@ Foam::fluidCoupling::fluidCoupling
     mesh_(mesh),
     fluidFraction_
     (
-        IOobject
-        (
-            "fluidFraction",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
+        IOobject("fluidFraction", mesh.time().timeName(), mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
         mesh,
         dimensionedScalar("one", dimless, 1.0),
         zeroGradientFvPatchScalarField::typeName
@@ -89,30 +82,14 @@ Foam::fluidCoupling::fluidCoupling
     const dictionary bodies(couplingProperties.subOrEmptyDict("bodies"));
     if (!bodies.empty())
     {
-        bodies_.reset(new immersedBodies(mesh, bodies));
-        loads_.reset(new heldLoads(mesh, bodies_->hellos()));
-        if (!bodies_->continued())
-        {
-            bodies_->place(loadedStates());
-        }
+        makeBodies(bodies);
     }
 
     const frazil::Settings settings(couplingSettings(couplingProperties));
     settings.has("bodies");  // read above; known, for the message on others
     if (settings.flag("coupling", true))
     {
-        exchange_.reset
-        (
-            new pairExchange
-            (
-                mesh,
-                settings,
-                phase(transportProperties, 0),
-                phase(transportProperties, 1),
-                toVec3(g.value()),
-                bodies_.valid() ? bodies_->hellos() : std::vector<frazil::BodyHello>()
-            )
-        );
+        makeExchange(settings, transportProperties, g.value());
     }
     else
     {
@@ -128,6 +105,39 @@ Foam::fluidCoupling::~fluidCoupling()
 
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::fluidCoupling::makeBodies(const dictionary& bodies)
+{
+    bodies_.reset(new immersedBodies(mesh_, bodies));
+    loads_.reset(new heldLoads(mesh_, bodies_->hellos()));
+    if (!bodies_->continued())
+    {
+        bodies_->place(loadedStates());
+    }
+}
+
+
+void Foam::fluidCoupling::makeExchange
+(
+    const frazil::Settings& settings,
+    const dictionary& transportProperties,
+    const vector& g
+)
+{
+    exchange_.reset
+    (
+        new pairExchange
+        (
+            mesh_,
+            settings,
+            phase(transportProperties, 0),
+            phase(transportProperties, 1),
+            toVec3(g),
+            bodies_.valid() ? bodies_->hellos() : std::vector<frazil::BodyHello>()
+        )
+    );
+}
+
 
 std::vector<frazil::BodyState> Foam::fluidCoupling::loadedStates() const
 {

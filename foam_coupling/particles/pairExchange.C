@@ -155,13 +155,7 @@ Foam::pairExchange::pairExchange
 
     cutFineCells();
     carried_.restore(step_);
-    step_.setLocator
-    (
-        [&mesh](const frazil::Vec3& p)
-        {
-            return mesh.findCell(point(p.x, p.y, p.z));
-        }
-    );
+    step_.setLocator([&mesh](const frazil::Vec3& p) { return mesh.findCell(toVector(p)); });
     connect(gravity, bodies, watchdog);
 
     const bool continued = mesh.time().timeIndex() > 0 && std::filesystem::exists("ledger.csv");

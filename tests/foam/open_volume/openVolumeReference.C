@@ -19,13 +19,11 @@ Description
 #include "openVolume.H"
 #include "faceMax.H"
 #include "potentialFlux.H"
-#include "zeroGradientFvPatchFields.H"
-#include "fixedValueFvPatchFields.H"
 
 #include <exception>
 
 #include "compare.H"
-#include "openReference.H"
+#include "openTest.H"
 
 namespace Foam
 {
@@ -35,155 +33,7 @@ constexpr scalar exact = 1e-12;
 constexpr scalar solved = 1e-11;
 
 
-// * * * * * * * * * * * * * * * Fields of a step  * * * * * * * * * * * * * //
-
-//- Smooth, of no symmetry, within -1 and 1; kind tells one field from the other, step moves it
-scalar wave(const point& x, const scalar kind, const scalar step)
-{
-    return sin(170*x.x() + kind + 0.4*step)*cos(130*x.y() - 2*kind)*cos(90*x.z() + 3*kind - 0.2*step);
-}
-
-
-vector waves(const point& x, const scalar kind, const scalar step)
-{
-    return vector(wave(x, kind, step), wave(x, kind + 0.7, step), wave(x, kind + 1.9, step));
-}
-
-
-surfaceScalarField fluxOf(const fvMesh& mesh, const word& name, const dimensionSet& dims, const scalar kind)
-{
-    surfaceVectorField flow(name, mesh.Cf()*dimensionedScalar(dims/dimVolume, Zero));
-    forAll(flow, facei)
-    {
-        flow[facei] = waves(mesh.Cf()[facei], kind, 0);
-    }
-    forAll(flow.boundaryField(), patchi)
-    {
-        forAll(flow.boundaryField()[patchi], i)
-        {
-            flow.boundaryFieldRef()[patchi][i] = waves(mesh.Cf().boundaryField()[patchi][i], kind, 0);
-        }
-    }
-    return surfaceScalarField(name, flow & mesh.Sf());
-}
-
-
-//- Zero gradient on all patches but `top`
-wordList pressurePatches(const fvMesh& mesh)
-{
-    wordList types(mesh.boundary().size(), zeroGradientFvPatchScalarField::typeName);
-    types[mesh.boundaryMesh().findPatchID("top")] = fixedValueFvPatchScalarField::typeName;
-    return types;
-}
-
-
-struct stepFields
-{
-    const fvMesh& mesh;
-    volScalarField fluidFraction, rho, p_rgh, alpha;
-    volVectorField U;
-    surfaceScalarField phi, rhoPhi, phiHbyA, phig, rAUf;
-
-    explicit stepFields(const fvMesh& m)
-    :
-        mesh(m),
-        fluidFraction(io("fluidFraction"), m, dimless, zeroGradientFvPatchScalarField::typeName),
-        rho(io("rho"), m, dimDensity, zeroGradientFvPatchScalarField::typeName),
-        p_rgh(io("p_rgh"), m, dimensionedScalar(dimPressure, Zero), pressurePatches(m)),
-        alpha(io("alpha.water"), m, dimless, zeroGradientFvPatchScalarField::typeName),
-        U(io("U"), m, dimVelocity, zeroGradientFvPatchVectorField::typeName),
-        phi(fluxOf(m, "phi", dimVolume/dimTime, 0.3)),
-        rhoPhi(fluxOf(m, "rhoPhi", dimMass/dimTime, 1.1)),
-        phiHbyA(fluxOf(m, "phiHbyA", dimVolume/dimTime, 2.3)),
-        phig(fluxOf(m, "phig", dimVolume/dimTime, 4.1)),
-        rAUf("rAUf", unitConductance(m)*(1.0 + mag(phi)/m.magSf()/dimensionedScalar("unit", dimVelocity, 1)))
-    {
-        m.setFluxRequired(p_rgh.name());
-        set(0);
-        rememberOld();
-    }
-
-    IOobject io(const word& name) const
-    {
-        return IOobject(name, mesh.time().timeName(), mesh);
-    }
-
-    void set(const label step)
-    {
-        forAll(mesh.C(), celli)
-        {
-            const point& x = mesh.C()[celli];
-            fluidFraction.ref()[celli] = 0.8 + 0.15*wave(x, 0.2, step);
-            rho.ref()[celli] = 500 + 400*wave(x, 1.4, step);
-            p_rgh.ref()[celli] = wave(x, 2.2, step);
-            alpha.ref()[celli] = 0.5 + 0.5*wave(x, 3.1, step);
-            U.ref()[celli] = waves(x, 0.9, step);
-        }
-        for (volScalarField* vf : {&fluidFraction, &rho, &p_rgh, &alpha})
-        {
-            vf->correctBoundaryConditions();
-        }
-        U.correctBoundaryConditions();
-    }
-
-    void rememberOld()
-    {
-        fluidFraction.oldTime();
-        rho.oldTime();
-        U.oldTime();
-    }
-};
-
-
 // * * * * * * * * * * * * * * * The comparisons * * * * * * * * * * * * * * //
-
-class openTest
-{
-    stepFields& f_;
-    openVolume& open_;
-    const immersedBodies* bodies_;
-    pimpleControl& pimple_;
-    const plainMesh mesh_;
-    openState state_;
-    openReference reference_;
-
-    scalarField onFaces(const tmp<surfaceScalarField>& sf) const
-    {
-        return mesh_.onFaces(sf());
-    }
-
-    //- Boundary faces where the pressure is fixed
-    boolList fixed() const;
-
-    boolList slips() const;
-    void takeState();
-    void checkCoverage() const;
-    void checkCells();
-    void checkSums();
-    void checkMomentumInCells();
-    void checkFaces() const;
-    void checkCorrectedFlux();
-    void checkPressure();
-    void checkConvection() const;
-    void checkAnchors() const;
-    void checkInsideBodies() const;
-
-
-public:
-
-    openTest(stepFields& f, openVolume& open, const immersedBodies* bodies, pimpleControl& pimple)
-    :
-        f_(f),
-        open_(open),
-        bodies_(bodies),
-        pimple_(pimple),
-        mesh_(f.mesh),
-        reference_(mesh_, state_)
-    {}
-
-    void check();
-};
-
 
 boolList openTest::fixed() const
 {
