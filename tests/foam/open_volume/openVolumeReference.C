@@ -504,39 +504,55 @@ void follow(std::vector<frazil::BodyState>& states, const immersedBodies& bodies
 }
 
 
-void run(Time& runTime, const fvMesh& mesh, pimpleControl& pimple, const argList& args)
+//- Bodies where their files have them, moving as the case says
+std::vector<frazil::BodyState> movingStates(const immersedBodies& bodies, const dictionary& properties)
 {
-    const IOdictionary properties(IOobject("couplingProperties", runTime.constant(), mesh, IOobject::MUST_READ));
-    // Made by all ranks at once, as frazilFoam's first gradients do; only ranks with a body's surface would ask for them
-    mesh.nonOrthDeltaCoeffs();
-    immersedBodies bodies(mesh, properties.subDict("bodies"));
     std::vector<frazil::BodyState> states(bodies.asLoaded());
     for (frazil::BodyState& state : states)
     {
         state.velocity = toVec3(properties.get<vector>("velocity"));
         state.angularVelocity = toVec3(properties.get<vector>("omega"));
     }
+    return states;
+}
+
+
+//- The comparisons of a step, with bodies and without; in a closed tank nothing moves without them
+void checkStep(stepFields& f, openVolume& both, openVolume& particles, const immersedBodies& bodies, pimpleControl& pimple)
+{
+    both.update();
+    particles.update();
+    Info<< "Particles and bodies" << endl;
+    openTest(f, both, &bodies, pimple).check();
+    if (!f.closed)
+    {
+        Info<< "Particles" << endl;
+        openTest(f, particles, nullptr, pimple).check();
+    }
+}
+
+
+void run(Time& runTime, const fvMesh& mesh, pimpleControl& pimple, const argList& args)
+{
+    const IOdictionary properties(IOobject("couplingProperties", runTime.constant(), mesh, IOobject::MUST_READ));
+    // Made by all ranks at once, as frazilFoam's first gradients do; only ranks with a body's surface would ask for them
+    mesh.nonOrthDeltaCoeffs();
+    immersedBodies bodies(mesh, properties.subDict("bodies"));
+    std::vector<frazil::BodyState> states(movingStates(bodies, properties));
     bodies.place(states);
 
     stepFields fields(mesh, args.found("closed"));
-    openVolume withBodies(mesh);
-    openVolume withParticles(mesh);
-    withBodies.use(fields.fluidFraction, &bodies, fields.phi, fields.rho);
-    withParticles.use(fields.fluidFraction, nullptr, fields.phi, fields.rho);
+    openVolume both(mesh);
+    openVolume particles(mesh);
+    both.use(fields.fluidFraction, &bodies, fields.phi, fields.rho);
+    particles.use(fields.fluidFraction, nullptr, fields.phi, fields.rho);
     for (label step = 1; step <= args.getOrDefault<label>("steps", 3); ++step)
     {
         ++runTime;
+        Info<< "Step " << step << endl;
         fields.set(step);
         bodies.move(states, runTime.deltaTValue());
-        withBodies.update();
-        withParticles.update();
-        Info<< "Step " << step << ", particles and bodies" << endl;
-        openTest(fields, withBodies, &bodies, pimple).check();
-        if (!fields.closed)
-        {
-            Info<< "Step " << step << ", particles" << endl;
-            openTest(fields, withParticles, nullptr, pimple).check();
-        }
+        checkStep(fields, both, particles, bodies, pimple);
         follow(states, bodies);
     }
     checkInactive(fields);
