@@ -1,4 +1,5 @@
 #include "bodyLoads.H"
+#include "conversions.H"
 #include "immersedBodies.H"
 #include "surfaceInterpolate.H"
 #include "surfaceFields.H"
@@ -117,11 +118,11 @@ std::vector<frazil::BodyLoad> bodyLoads
 
         const vector force = returnReduce(load.force, sumOp<vector>());
         const vector torque = returnReduce(load.torque, sumOp<vector>());
-        const scalar wet = bodies.wetFraction(bodyi, alpha1, up);
-        loads.push_back({{force.x(), force.y(), force.z()}, {torque.x(), torque.y(), torque.z()}, wet});
+        const scalar submerged = bodies.submergedShare(bodyi, alpha1, up);
+        loads.push_back({toVec3(force), toVec3(torque), submerged});
 
         Info<< "Body " << bodies.name(bodyi) << ": centre " << centre << " velocity "
-            << bodies.pose(bodyi).velocity << " force " << force << " torque " << torque << " wet " << wet << endl;
+            << bodies.pose(bodyi).velocity << " force " << force << " torque " << torque << " wet " << submerged << endl;
     }
     return loads;
 }

@@ -16,6 +16,7 @@ Description
 
 #include "fvCFD.H"
 #include "pimpleControl.H"
+#include "follow.H"
 #include "immersedBodies.H"
 #include "openVolume.H"
 #include "faceMax.H"
@@ -486,23 +487,6 @@ void checkInactive(const stepFields& f)
 
 
 // * * * * * * * * * * * * * * * * The steps * * * * * * * * * * * * * * * * //
-
-//- States of the next step's start
-void follow(std::vector<frazil::BodyState>& states, const immersedBodies& bodies)
-{
-    for (label i = 0; i < bodies.size(); ++i)
-    {
-        const bodyPose& pose = bodies.pose(i);
-        const quaternion q(pose.rotation);
-        states[i].centre = toVec3(pose.centre);
-        states[i].orientation[0] = q.w();
-        for (direction d = 0; d < 3; ++d)
-        {
-            states[i].orientation[1 + d] = q.v()[d];
-        }
-    }
-}
-
 
 //- Bodies where their files have them, moving as the case says
 std::vector<frazil::BodyState> movingStates(const immersedBodies& bodies, const dictionary& properties)

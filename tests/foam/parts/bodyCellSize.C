@@ -41,11 +41,11 @@ void testCellSize(const fvMesh& mesh, const word& name, const vector& shift)
     const dictionary& entry = dict.subDict("boxes").subDict(name);
     const boundBox box(entry.get<point>("min") + shift, entry.get<point>("max") + shift);
     const frazil::Settings settings(couplingSettings(dict.subDict("bodies"), "bodies"));
-    immersedBody body(name, settings.sub(name), mesh.time().rootPath()/mesh.time().globalCaseName());
+    const immersedBody body(name, settings.sub(name), mesh.time().rootPath()/mesh.time().globalCaseName());
     frazil::BodyState state(body.asLoaded());
     state.centre = toVec3(toVector(state.centre) + shift);
-    body.place(state);
-    compare("cell size at " + name, cellSizeAt(mesh, body), finestIn(mesh, box), exact);
+    const placedBody placed(body, bodyPose(state, body.centroid()));
+    compare("cell size at " + name, cellSizeAt(mesh, placed), finestIn(mesh, box), exact);
 }
 
 
