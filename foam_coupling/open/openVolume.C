@@ -54,15 +54,9 @@ void openVolume::setFaces()
     {
         solid_() == neg(max(start_(), end_()) - divisible);
         faces_() *= bodies_->theta()*(1.0 - faceMax(solid_()));
-        small_() == neg(min(start_(), end_()) - smallCell*(*fluidFraction_));
-        mergeSmallCells
-        (
-            merged_(),
-            min(start_(), end_())/(*fluidFraction_),
-            smallCell,
-            solid_(),
-            bodies_->normal()
-        );
+        const volScalarField least(1.0 - max(bodies_->gamma(), bodies_->gamma().oldTime()));
+        small_() == neg(least - smallCell);
+        mergeSmallCells(merged_(), least, smallCell, solid_(), bodies_->normal());
     }
 }
 

@@ -215,7 +215,7 @@ scalarField openReference::openFaces() const
 
 scalar openReference::leastOpen(const label celli) const
 {
-    return min(epsilonStart(celli), epsilon(celli))/s_.fluid[celli];
+    return 1 - max(s_.gammaStart[celli], s_.gamma[celli]);
 }
 
 
@@ -276,6 +276,22 @@ scalarField openReference::conducted
 }
 
 
+scalar openReference::holding(const scalarField& conductance, const boolList& fixed) const
+{
+    if (returnReduce(fixed.found(true), orOp<bool>()) || !Pstream::master())
+    {
+        return 0;
+    }
+    scalar sum = 0;
+    for (const label facei : mesh_.facesOf(0))
+    {
+        const plainFace& f = mesh_.faces()[facei];
+        sum += f.boundary ? 0 : conductance[facei]*f.area/f.distance;
+    }
+    return sum;
+}
+
+
 scalarField openReference::potential
 (
     const scalarField& conductance,
@@ -287,10 +303,12 @@ scalarField openReference::potential
     scalarField residual(outflow);
     scalarField direction(residual);
     scalar square = gSumSqr(residual);
-    const scalar enough = 1e-32*square;
+    const scalar enough = 1e-30*square;
+    const scalar held = holding(conductance, fixed);
     for (label i = 0; i < 5000 && square > enough; ++i)
     {
-        const scalarField image(mesh_.outflow(conducted(conductance, fixed, direction)));
+        scalarField image(mesh_.outflow(conducted(conductance, fixed, direction)));
+        image[0] += held*direction[0];
         const scalar step = square/gSumProd(direction, image);
         psi += step*direction;
         residual -= step*image;

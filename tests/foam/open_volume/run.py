@@ -1,6 +1,6 @@
 """What openVolume and its files compute on a real mesh, against the slow reference beside it (openReference.H).
 
-run.py RANKS PROGRAM    RANKS: 1 | 2
+run.py RANKS PROGRAM [-closed]    RANKS: 1 | 2; -closed: without an outlet, where the level of a potential is free
 
 A ball that slips and a cone that the fluid sticks to move and turn through a graded mesh whose axes are turned against
 theirs, so that both cut cells obliquely; αf varies in space and time. Every step, and the same without bodies:
@@ -39,7 +39,7 @@ def bodies():
 
 def make(ranks):
     tank_case.write("system/controlDict", "startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1e-4;\n"
-                    "writeControl timeStep; writeInterval 1000; timePrecision 8;\n")
+                    "writeControl timeStep; writeInterval 1000; timePrecision 8; writeFormat binary;\n")
     tank_case.write("system/fvSchemes", SCHEMES)
     tank_case.write("system/fvSolution", f'solvers {{ "p.*" {SOLVER} }}\nPIMPLE {{}}\n')
     tank_case.write("system/blockMeshDict", block_mesh((0.026, 0.018, 0.017), (30, 22, 20), (1.5, 0.8, 1.2)))
@@ -62,14 +62,14 @@ def call(command):
 
 
 def main():
-    ranks, program = int(sys.argv[1]), os.path.abspath(sys.argv[2])
+    ranks, program, options = int(sys.argv[1]), os.path.abspath(sys.argv[2]), sys.argv[3:]
     make(ranks)
     call(["blockMesh"])
     if ranks == 1:
-        print(call([program]))
+        print(call([program, *options]))
     else:
         call(["decomposePar", "-force"])
-        print(call([*mpirun.COMMAND, "-np", str(ranks), program, "-parallel"]))
+        print(call([*mpirun.COMMAND, "-np", str(ranks), program, "-parallel", *options]))
 
 
 if __name__ == "__main__":

@@ -13,6 +13,8 @@ Description
 #include "checkCoupledCase.H"
 
 #include <exception>
+#include <map>
+#include <string>
 
 namespace Foam
 {
@@ -64,31 +66,22 @@ boolList deep(const fvMesh& mesh, const label layers)
 }
 
 
+//- The parts that compare with closed forms on a mesh that stands still
+const std::map<std::string, void (*)(const fvMesh&)> closedForms
+{
+    {"pressureGradient", testPressureGradient},
+    {"flowAtParticles", testFlowAtParticles},
+    {"compression", testCompression},
+    {"faceMax", testFaceMax},
+    {"bodyCellSize", testBodyCellSize}
+};
+
+
 void run(const word& part, Time& runTime, dynamicFvMesh& mesh, const argList& args)
 {
-    if (part == "pressureGradient")
-    {
-        testPressureGradient(mesh);
-    }
-    else if (part == "flowAtParticles")
-    {
-        testFlowAtParticles(mesh);
-    }
-    else if (part == "accelerationShare")
+    if (part == "accelerationShare")
     {
         testAccelerationShare(runTime, mesh);
-    }
-    else if (part == "compression")
-    {
-        testCompression(mesh);
-    }
-    else if (part == "faceMax")
-    {
-        testFaceMax(mesh);
-    }
-    else if (part == "bodyCellSize")
-    {
-        testBodyCellSize(mesh);
     }
     else if (part == "offCentring")
     {
@@ -101,7 +94,7 @@ void run(const word& part, Time& runTime, dynamicFvMesh& mesh, const argList& ar
     }
     else
     {
-        FatalErrorInFunction << "no part " << part << exit(FatalError);
+        closedForms.at(part)(mesh);
     }
 }
 
