@@ -18,7 +18,8 @@ def find_case(name: str) -> Path:
 
 def read(case: Path) -> dict:
     """case.json: title, question, levels with their parameters, default_level, np (ranks), pair (false: no fluid),
-    picture (a script of cases/tools), test (parameters with which the case is tested), units (of the parameters that have one)."""
+    picture (a script of cases/tools), test (parameters with which the case is tested), units (of the parameters that have one),
+    choices (of a parameter that stands for others: its values, each with the parameters that differ from the level's)."""
     try:
         return json.loads((case / "case.json").read_text())
     except json.JSONDecodeError as error:
@@ -36,18 +37,27 @@ def fits(value: object, old: object) -> bool:
     return kinds[0] is kinds[1]
 
 
-def override(params: dict, settings: list[str]) -> dict:
-    """The level's parameters with --set KEY=VALUE applied; a new value must be of the kind of the old one."""
-    result = dict(params)
-    for setting in settings:
-        key, equals, text = setting.partition("=")
-        if key not in params or not equals:
-            raise Failure(f"--set {setting}: the case has no such parameter.{did_you_mean(key, list(params))}")
-        try:
-            value = json.loads(text)
-        except json.JSONDecodeError:
-            value = text
-        if not fits(value, params[key]):
-            raise Failure(f"--set {setting}: {key} is like {json.dumps(params[key])}, {text!r} is not.")
-        result[key] = value
-    return result
+def split(setting: str, params: dict) -> tuple[str, object]:
+    """Name and value of KEY=VALUE; the value must be of the kind of the parameter's."""
+    key, equals, text = setting.partition("=")
+    if key not in params or not equals:
+        raise Failure(f"--set {setting}: the case has no such parameter.{did_you_mean(key, list(params))}")
+    try:
+        value = json.loads(text)
+    except json.JSONDecodeError:
+        value = text
+    if not fits(value, params[key]):
+        raise Failure(f"--set {setting}: {key} is like {json.dumps(params[key])}, {text!r} is not.")
+    return key, value
+
+
+def parameters(text: dict, level: str, settings: list[str]) -> dict:
+    """The level's parameters with --set KEY=VALUE applied. A choice stands for several of them, which can still be set one by
+    one, whatever the order."""
+    params, choices = dict(text["levels"][level]), text.get("choices", {})
+    given = dict(split(setting, params) for setting in settings)
+    for name in choices.keys() & given.keys():
+        if given[name] not in choices[name]:
+            raise Failure(f"--set {name}={given[name]}: no such {name}.{did_you_mean(given[name], list(choices[name]))}")
+        params.update(choices[name][given[name]])
+    return {**params, **given}

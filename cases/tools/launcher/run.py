@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import places
-from .case import find_case, override, read
+from .case import find_case, parameters, read
 from .environment import environment
 from .say import did_you_mean, Failure, logged, output_of
 
@@ -65,7 +65,7 @@ def plan(arguments: argparse.Namespace) -> Run:
     np = {side: ranks.get(side, 1) if number is None else number for side, number in given.items()}
     if min(np.values()) < 1:
         raise Failure("--np-dem and --np-foam are at least 1.")
-    params = override(text["levels"][level], arguments.set)
+    params = parameters(text, level, arguments.set)
     return Run(case, level, params, np["dem"], np["foam"] if pair else 0, folder)
 
 
