@@ -50,7 +50,7 @@ class Local(unittest.TestCase):
         self.interrupted(small, kill)
 
     def test_killed_and_resumed(self):
-        """The sweep and Snakemake are killed outright, the points under way are not: they are ended before they are run again."""
+        """The sweep and Snakemake are killed outright, the points under way are not: they are ended, then run again."""
         small = small_study.SmallStudy(self.scratch, (1e6, 2e6, 3e6, 4e6), rate=1.0)
 
         def kill(process):
@@ -66,9 +66,11 @@ class Local(unittest.TestCase):
         found = []
         for link in Path("/proc").glob("[0-9]*/cwd"):
             try:
-                found += [int(link.parent.name)] if folder in (Path(os.readlink(link)), *Path(os.readlink(link)).parents) else []
+                place = Path(os.readlink(link))
             except OSError:
                 continue
+            if folder in (place, *place.parents):
+                found.append(int(link.parent.name))
         return found
 
     def snakemakes(self, folder):
@@ -104,7 +106,7 @@ class Local(unittest.TestCase):
         before = small.ended()
         small.write((1e6, 2e6))
         code, said = small.run("--dry-run")
-        self.assertRegex(said, r"4 points in .*; 2 points to run, 2 at the same time, 0:\d\d each \(mean of 2 done\): about 0:\d\d")
+        self.assertRegex(said, r"4 points in .*; 2 points to run, .* at the same time, .* each \(mean of 2 done\): about \d:")
         self.assertEqual((code, small.ended()), (0, before))
         self.assertEqual(small.run()[0], 0)
         self.assertEqual(len(small.ended()), 4)

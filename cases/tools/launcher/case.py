@@ -18,7 +18,7 @@ def find_case(name: str) -> Path:
 
 def read(case: Path) -> dict:
     """case.json: title, question, levels with their parameters, default_level, np (ranks), pair (false: no fluid),
-    picture (a script of cases/tools), test (parameters with which the case is tested), units (of the parameters that have one)."""
+    picture (a script of cases/tools), test (parameters with which the case is tested), units of parameters."""
     try:
         return json.loads((case / "case.json").read_text())
     except json.JSONDecodeError as error:

@@ -36,7 +36,7 @@ def command(folder: StudyFolder, arguments: argparse.Namespace) -> list[str]:
 
 
 def slurm_words(arguments: argparse.Namespace) -> list[str]:
-    """Snakemake on Slurm through sbatch: each job asks for as many tasks as its point has ranks. Slurm copies the environment."""
+    """Snakemake on Slurm through sbatch: a job has as many tasks as its point has ranks, and a copy of this environment."""
     if not shutil.which("sbatch"):
         raise Failure("--slurm: there is no sbatch here. Start the sweep on a machine that submits to your Slurm.")
     options = [f"--{option}" for option in arguments.sbatch]

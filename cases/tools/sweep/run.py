@@ -36,8 +36,9 @@ def sweep(arguments: argparse.Namespace) -> int:
     points = points_of(study)
     folder = StudyFolder(Path(arguments.out or places.TOP / "runs" / f"{study.case.name}-{study.path.stem}").resolve())
     ranks = ranks_of(study)
+    lanes = side_by_side(ranks, arguments)
     if arguments.dry_run:
-        say_points(study, folder, points, side_by_side(ranks, arguments))
+        say_points(study, folder, points, lanes)
         return 0
     need_snakemake()
     setup()
@@ -46,7 +47,7 @@ def sweep(arguments: argparse.Namespace) -> int:
         if arguments.retry_failed:
             forget_failed(folder, points)
         write_points(study, folder, points, ranks)
-        print(f"{study.title}: {remaining(study, folder, points, side_by_side(ranks, arguments))}, in {folder.path}", flush=True)
+        print(f"{study.title}: {remaining(study, folder, points, lanes)}, in {folder.path}", flush=True)
         follow(study, folder, points, jobs.start(folder, arguments, lock))
     return summary(folder, points)
 
