@@ -16,14 +16,14 @@ HISTORY = {
     "fluid_dt": (1e-3, 1e-3, 0), "substeps": (10, 10, 0), "wall": (1, 3, 4), "dem_waited": (0, 1, 1),
     "foam_waited": (0, 0.5, 2)}
 
-COLUMNS = ("particles dryParticles volumeParticles volumeAbsent volumeCoarse volumeFine volumeClipped cellsClipped volumeErrorCoarse "
-           "volumeErrorFine impulseReceivedY impulseFineY impulseHeldY impulseErrorCoarse impulseErrorFine passiveReceivedY "
+COLUMNS = ("particles dryParticles volumeParticles volumeAbsent volumeCoarse volumeFine volumeClipped cellsClipped "
+           "volumeErrorCoarse volumeErrorFine impulseReceivedY impulseFineY impulseHeldY impulseErrorCoarse impulseErrorFine passiveReceivedY "
            "passiveReturnedY responseY passiveError demParticles particlesLost demVolume demMomentumY volumeErrorTransport "
            "impulseErrorTransport").split()
 LEDGER = {
     "time": (0, 1e-3, 2e-3), **{name: (0, 0, 0) for name in COLUMNS},
-    "particles": (5, 5, 4), "dryParticles": (0, 1, 0), "volumeParticles": (1e-5, 1e-5, 0.8e-5), "volumeClipped": (0, 1e-6, 2e-6),
-    "particlesLost": (0, 0, 1), "passiveError": (1e-15, 3e-14, 2e-15), "volumeErrorFine": (0, 0, 5e-16),
+    "particles": (5, 5, 4), "dryParticles": (0, 1, 0), "volumeParticles": (1e-5, 1e-5, 0.8e-5),
+    "volumeClipped": (0, 1e-6, 2e-6), "particlesLost": (0, 0, 1), "passiveError": (1e-15, 3e-14, 2e-15), "volumeErrorFine": (0, 0, 5e-16),
     "demMomentumY": (0, -0.003, -0.01), "impulseHeldY": (0, 0, 0.001)}
 
 EVENTS = "time,id1,id2,mode,x,y,z,sigma,tau\n0.0005,1,2,tension,9,9,9,2e6,0\n0.0015,2,3,shear,9,9,9,0,1e6\n"
@@ -32,8 +32,8 @@ LOG_DEM = """LIGGGHTS (Version LIGGGHTS-PUBLIC 3.8.0, compiled 2022-01-26-19:42:
 Body projectile: mass 0.03 kg, volume 1.02338e-05 m3, centre (0, 0.03, 0) m, velocity (0, -3, 0) m/s
 FRAZIL_TIMERS side=dem wall=4.0000 waiting=1.0000 exchange=0.5000 force=0.2500
 """
-BUDGET = ("Momentum budget: change (0 {change} 0) boundary (0 1 0) weight (0 0 0) tension (0 0 0) particles (0 1 0) solid (0 1 0) "
-          "bodies (0 2 0) splitting (0 0 0) gradient (0 0 0) error (0 0 0)\n")
+BUDGET = ("Momentum budget: change (0 {change} 0) boundary (0 1 0) weight (0 0 0) tension (0 0 0) particles (0 1 0) "
+          "solid (0 1 0) bodies (0 2 0) splitting (0 0 0) gradient (0 0 0) error (0 0 0)\n")
 LOG_FOAM = """Build  : OPENFOAM=1912 patch=200626
 frazilDem: 5 particles, 1 bodies, time step 1e-04 s; coarse grid 2 x 2 x 2 cells of 0.5 m
 
@@ -82,7 +82,8 @@ def spheres(run):
         for step, time, fragment, whole in ((0, 0.0, (1, 1, 1, 0, 1), True), (20, 2e-3, (1, 1, 1, 0, 4), True),
                                             (40, 4e-3, (1, 1, 1, 0, 4), False)):
             group = file.create_group(f"particles/{step:012d}")
-            group["id"], group["position"], group["fragment"] = ids, position + (1e-4 * step, 0, 0), numpy.array(fragment, float)
+            group["id"], group["position"] = ids, position + (1e-4 * step, 0, 0)
+            group["fragment"] = numpy.array(fragment, float)
             group["radius"] = numpy.array([1e-3, 1e-3, 1e-3, 1e-3, 2e-3])
             group["velocity"] = numpy.tile((0.0, 3.0, 4.0), (5, 1))
             group.attrs["time"] = time
@@ -105,7 +106,8 @@ def fluid(run, ranks=1):
             cells = numpy.arange(12)[rank::2]
             part = run / f"foam/processor{rank}"
             write(part / "constant/polyMesh/cellProcAddressing", foam_list("", cells))
-            write(part / f"{time}/alpha.water", foam_list("internalField nonuniform List<scalar>", WATER.ravel()[cells]) + ";\n")
+            values = foam_list("internalField nonuniform List<scalar>", WATER.ravel()[cells])
+            write(part / f"{time}/alpha.water", values + ";\n")
     with h5py.File(run / "coarse.h5", "w") as file:
         group = file.create_group("coarse/000000000000")
         group["water fraction"] = WATER

@@ -214,7 +214,8 @@ class Unfinished(Made):
         self.lacks(SERIES["speed"], "history.csv: has no values of vy")
 
     def test_no_contact_yet(self):
-        made_run.write(self.folder / "history.csv", made_run.csv({**made_run.HISTORY, "contact_fy": (0,) * 3, "contact_fz": (0,) * 3}))
+        without = {**made_run.HISTORY, "contact_fy": (0, 0, 0), "contact_fz": (0, 0, 0)}
+        made_run.write(self.folder / "history.csv", made_run.csv(without))
         self.lacks(VALUES["first_contact"], "no contact of the body yet")
         self.near(VALUES["touch"](Run(self.folder)), 2e-3)  # in water, above the blur
 

@@ -63,8 +63,8 @@ def scalar_field(run: Run, time: str, field: str, axes: list[numpy.ndarray]) -> 
         values = internal_field(part / time / field)
         expected = len(whole[cells])
         if values.size not in (1, expected):
-            raise Missing(f"{part / time / field}: has {values.size} values for {expected} cells of the mesh; it is being written, "
-                          "or the mesh is another one.")
+            raise Missing(f"{part / time / field}: has {values.size} values for {expected} cells of the mesh; it is being "
+                          "written, or the mesh is another one.")
         whole[cells] = values
     return whole.reshape(shape)
 

@@ -24,8 +24,8 @@ OUTSIDE = ("boundary", "weight", "tension", "splitting", "gradient")
 
 
 def steps(run: Run) -> dict[str, numpy.ndarray]:
-    """Fluid steps of log.foam that ledger and history have, too: each term [N], with `deltaT` [s]; the load on the bodies has its
-    sign turned."""
+    """Fluid steps of log.foam that ledger and history have, too: each term [N], with `deltaT` [s]; the load on the bodies
+    has its sign turned."""
     if list(run.folder.glob("log.foam-*")):
         raise Missing(f"{run.folder / 'log.foam'}: the run was continued, and its budget is in several logs.")
     time, rows = 0.0, []

@@ -24,7 +24,8 @@ class Run:
         if not self.folder.is_dir():
             raise Missing(f"{folder}: there is no such folder; name one that ./frazil run has made.")
         if not any((self.folder / name).is_file() for name in KNOWN):
-            raise Missing(f"{folder}: is no run folder, it has none of {', '.join(KNOWN)}; name one that ./frazil run has made.")
+            raise Missing(f"{folder}: is no run folder, it has none of {', '.join(KNOWN)}; "
+                          "name one that ./frazil run has made.")
         self.name = self.folder.resolve().name
 
     @cached_property

@@ -57,6 +57,10 @@ class Lines:
         """Largest magnitude of x (2) or y (3)."""
         return max((float(numpy.nanmax(numpy.abs(line[axis]))) for line in self.found if len(line[axis])), default=0.0)
 
+    def least(self) -> float:
+        """Smallest y above zero, for an axis of logarithms."""
+        return min(float(y[y > 0].min()) for _, _, _, y in self.found if numpy.any(y > 0))
+
 
 def lines(runs: list[Run], curve: Curve) -> Lines:
     """Asks every run for every diagnostic of the figure."""
@@ -89,7 +93,9 @@ def draw(runs: list[Run], curve: Curve) -> Picture:
         axis.plot(x_factor * x, y_factor * y, DASHES[which], color=colour(number if len(runs) > 1 else which),
                   label=", ".join(names) or None)
     label = curve.label or diagnostic.label
-    axis.set(xlabel=labelled(x_label, x_unit), ylabel=labelled(label, y_unit), yscale="log" if curve.log else "linear")
+    axis.set(xlabel=labelled(x_label, x_unit), ylabel=labelled(label, y_unit))
+    if curve.log:
+        axis.set(yscale="log", ylim=(what.least() / 3, 3 * what.limit(3)))
     if len(what.found) > 1:
         axis.legend(loc="best")
     return embed(figure, f"{label} over {x_label}", note=" ".join(SERIES[name].definition for name in curve.names))

@@ -17,9 +17,14 @@ def draw(run: Run) -> list[Picture]:
     cuts = [cut(run, moment) for moment in choose(run, write_times(run))]
     if not any(map(shows_something, cuts)):
         raise Missing(f"{run.name}: the cut z = {cuts[0].plane:g} m shows neither surface nor spheres nor body.")
-    fastest = max((each.spheres.speed.max() for each in cuts if each.spheres is not None and len(each.spheres.speed)), default=1)
-    colours = Normalize(0, 5 * numpy.ceil(0.2 * max(fastest, 0.1)) if fastest > 1 else fastest)
-    return [one(run, each, window(cuts), colours) for each in cuts]
+    return [one(run, each, window(cuts), colours_of(cuts)) for each in cuts]
+
+
+def colours_of(cuts: list[Cut]) -> Normalize:
+    """From rest to the fastest sphere [m/s], in steps of 5 m/s above the first."""
+    speeds = [each.spheres.speed for each in cuts if each.spheres is not None]
+    fastest = max((float(speed.max()) for speed in speeds if len(speed)), default=0.0)
+    return Normalize(0, 5 * numpy.ceil(0.2 * fastest) if fastest > 1 else max(fastest, 1e-6))
 
 
 def shows_something(cut: Cut) -> bool:
@@ -39,4 +44,5 @@ def one(run: Run, cut: Cut, limits: tuple, colours: Normalize) -> Picture:
     if cut.spheres is not None:
         figure.colorbar(pyplot.cm.ScalarMappable(colours, ICE), ax=axis, orientation="horizontal", pad=0.02, aspect=30,
                         label="speed of the spheres [m/s]")
-    return embed(figure, f"{run.name}, {1e3 * cut.time:.3g} ms: cut with water, spheres and body", "png", note=" ", shape="small")
+    text = f"{run.name}, {1e3 * cut.time:.3g} ms: cut with water, spheres and body"
+    return embed(figure, text, "png", note="", shape="small")

@@ -61,6 +61,6 @@ def embed(figure, text: str, kind: str = "svg", **more) -> Picture:
     return picture(stream.getvalue(), text, "svg+xml" if kind == "svg" else kind, **more)
 
 
-def picture(data: bytes, text: str, kind: str, note: str = "", shape: str = "") -> Picture:
-    """An image file as part of the page; without a note the text stands below it."""
-    return Picture(f"data:image/{kind};base64,{base64.b64encode(data).decode()}", text, note or text, shape)
+def picture(data: bytes, text: str, kind: str, note: str | None = None, shape: str = "") -> Picture:
+    """An image file as part of the page; where no note is given the text stands below it."""
+    return Picture(f"data:image/{kind};base64,{base64.b64encode(data).decode()}", text, text if note is None else note, shape)

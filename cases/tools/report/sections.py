@@ -29,7 +29,8 @@ def own_pictures(runs: list[Run]) -> Section:
     for run in runs:
         path = run.folder / "picture.png"
         if run.plan.get("np_foam") == 0 and path.is_file():
-            section.pictures.append(picture(path.read_bytes(), f"{run.name}: what the case draws of itself", "png", shape="wide"))
+            text = f"{run.name}: what the case draws of itself"
+            section.pictures.append(picture(path.read_bytes(), text, "png", shape="wide"))
     return section
 
 
@@ -68,8 +69,8 @@ def ice(runs: list[Run]) -> Section:
 
 def crack_maps(runs: list[Run]) -> Section:
     """One map per run."""
-    section = Section("Cracks", "Each broken bond is drawn as the edge of its face, where it was in the unbroken ice; the colour "
-                      "is the time of its breaking.")
+    section = Section("Cracks", "Each broken bond is drawn as the edge of its face, where it was in the unbroken ice; the "
+                      "colour is the time of its breaking.")
     for run in runs:
         section.add(cracks.draw, run)
     return section
@@ -77,8 +78,9 @@ def crack_maps(runs: list[Run]) -> Section:
 
 def cut_views(runs: list[Run]) -> Section:
     """Four moments per run."""
-    section = Section("Cuts through the axis", "Water blue, air white, spheres within one diameter of the cut, body grey: before "
-                      "the first contact, after the largest contact force, half-way on, at the end.")
+    section = Section("Cuts through the axis", "Water blue, air white, spheres within one diameter of the cut, body grey: "
+                      "before the first contact, after the largest contact force, half-way on, at the end; even moments "
+                      "without a contact.")
     for run in runs:
         section.add(cuts.draw, run)
     return section
@@ -86,8 +88,8 @@ def cut_views(runs: list[Run]) -> Section:
 
 def scenes(runs: list[Run]) -> Section:
     """The last snapshot in space."""
-    section = Section("In space", "The last snapshot: the body, and the spheres behind its axis, pale at rest and dark red where "
-                      "fast.")
+    section = Section("In space", "The last snapshot: the body, and the spheres behind its axis, pale at rest and dark red "
+                      "where fast.")
     for run in runs:
         section.add(scene.draw, run, "wide" if len(runs) == 1 else "half")
     return section
@@ -95,8 +97,8 @@ def scenes(runs: list[Run]) -> Section:
 
 def balance(runs: list[Run]) -> Section:
     """The ledger and the momentum budget."""
-    section = Section("Ledger", "Do particles, coarse grid and fluid mesh hold the same volume and momentum? The relative errors "
-                      "are round-off, below 1e-8, unless the program is at fault.")
+    section = Section("Ledger", "Do particles, coarse grid and fluid mesh hold the same volume and momentum? The relative "
+                      "errors are round-off, below 1e-8, unless the program is at fault.")
     section.add_table("", tables.values, runs, "ledger", "momentum")
     section.add_table("Vertical momentum [N s]: what fluid, particles and body gained, what came from outside, what is on its "
                       "way between the programs", tables.momentum, runs)
