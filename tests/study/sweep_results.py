@@ -15,10 +15,10 @@ except ImportError:
 import diagnostics
 from sweep import metrics
 from sweep.page import write_results
-from sweep.places import StudyFolder
 from sweep.plots import tied
 from sweep.points import points
 from sweep.reader import read_study
+from sweep.study_folder import StudyFolder
 from sweep.table import Column, Measured
 
 STUDY = """title: Speeds

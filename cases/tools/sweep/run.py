@@ -4,7 +4,6 @@ from __future__ import annotations
 import argparse
 import json
 import re
-import shutil
 import subprocess
 import time
 from pathlib import Path
@@ -19,10 +18,10 @@ from .estimate import remaining, side_by_side
 from .lock import held
 from .needs import need, need_snakemake, SAMPLING
 from .page import write_results
-from .places import DONE, FAILED, StudyFolder, write_whole
 from .points import points as points_of
 from .reader import read_study
 from .study import SAMPLES, Study
+from .study_folder import DONE, FAILED, StudyFolder, write_whole
 from .table import Measured
 
 DRAWING_SHARE = 0.05  # at most of the time that goes into figures while points run
@@ -82,11 +81,10 @@ def check_same(study: Study, folder: StudyFolder, points: dict[str, dict]) -> No
 
 
 def forget_failed(folder: StudyFolder, points: dict[str, dict]) -> None:
-    """--retry-failed: failed points are to be run again, from their start; the logs stay."""
+    """--retry-failed: failed points are to be run again, from their start."""
     for name in points:
         if folder.state(name)["status"] == FAILED:
-            shutil.rmtree(folder.run(name), ignore_errors=True)
-            folder.mark(name).unlink(missing_ok=True)
+            folder.forget(name)
 
 
 def write_points(study: Study, folder: StudyFolder, points: dict[str, dict], ranks: int) -> None:
