@@ -54,7 +54,9 @@ class Local(unittest.TestCase):
         small = small_study.SmallStudy(self.scratch, (1e6, 2e6, 3e6, 4e6), rate=1.0)
 
         def kill(process):
-            for pid in (process.pid, *self.snakemakes(small.folder)):
+            while not self.named("frazilDem", small.folder):
+                time.sleep(0.05)
+            for pid in (process.pid, *self.named("snakemake", small.folder)):
                 os.kill(pid, signal.SIGKILL)
         self.interrupted(small, kill)
         logs = "".join(path.read_text() for path in small.folder.glob("log/*.txt"))
@@ -73,9 +75,17 @@ class Local(unittest.TestCase):
                 found.append(int(link.parent.name))
         return found
 
-    def snakemakes(self, folder):
-        """Snakemake and its own copies, one per point."""
-        return [pid for pid in self.working_in(folder) if b"snakemake" in Path(f"/proc/{pid}/cmdline").read_bytes()]
+    def named(self, program, folder):
+        """Those that run a program; of Snakemake there is a copy per point."""
+        return [pid for pid in self.working_in(folder) if program in self.command_line(pid)]
+
+    @staticmethod
+    def command_line(pid):
+        """Empty for a process that has just ended."""
+        try:
+            return Path(f"/proc/{pid}/cmdline").read_text()
+        except OSError:
+            return ""
 
     def test_failed_point_and_retry(self):
         """A point with a damping that frazilDem refuses: its words stand in table and page, the others have their numbers, and
