@@ -74,8 +74,8 @@ class Slurm:
             folder=self.folder, host=socket.gethostname(), cores=os.cpu_count(), ports=free_ports(2)))
         munge = self.folder / "munge"
         try:
-            self.start("munged", "--force", f"--key-file={key}", f"--socket={munge}/socket", f"--pid-file={self.folder}/munged.pid",
-                       f"--log-file={munge}/log", f"--seed-file={munge}/seed")
+            self.start("munged", "--force", f"--key-file={key}", f"--socket={munge}/socket", f"--log-file={munge}/log",
+                       f"--seed-file={munge}/seed", f"--pid-file={self.folder}/munged.pid")
             self.start("slurmctld")
             self.start("slurmd")
             self.wait_until_idle()

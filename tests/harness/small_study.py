@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 STUDY = """case: ice_tension
-set: {{columns: 14, rows: 8, layers: 3, stiffness_ratios: [2.66], weibull_modulus: 8, largest_strain: 0.004, strain_rate: {rate}}}
+set: {{columns: 14, rows: 8, layers: 3, stiffness_ratios: [2.66], weibull_modulus: 8, strain_rate: {rate}}}
 np: {{dem: 1}}
 vary:
   tensile_strength: {strengths}

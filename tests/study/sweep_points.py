@@ -120,7 +120,9 @@ class Needs(unittest.TestCase):
 
     def test_another_snakemake(self):
         """--cluster is gone in version 8: said before anything runs."""
-        with mock.patch.object(needs, "output_of", return_value="8.4.1\n"), self.assertRaisesRegex(Failure, "snakemake 8.4.1: .* version 7"):
+        self.enterContext(mock.patch("shutil.which", return_value="snakemake"))
+        self.enterContext(mock.patch.object(needs, "output_of", return_value="8.4.1\n"))
+        with self.assertRaisesRegex(Failure, "snakemake 8.4.1: .* version 7"):
             needs.need_snakemake()
 
 

@@ -15,10 +15,11 @@ except ImportError:
 import diagnostics
 from sweep import metrics
 from sweep.page import write_results
-from sweep.places import StudyFolder
+from sweep.plots import tied
 from sweep.points import points
 from sweep.reader import read_study
-from sweep.table import Measured
+from sweep.study_folder import StudyFolder
+from sweep.table import Column, Measured
 
 STUDY = """title: Speeds
 case: ice_entry
@@ -51,7 +52,8 @@ class Results(unittest.TestCase):
         (run / "foam/constant/couplingProperties").write_text(BODY)
         (run / "foam/constant/triSurface/projectile.stl").write_text(STL)
         (run / "run.json").write_text("{}")
-        (run / "history.csv").write_text(f"{HISTORY}0,0,0,0,0,-{speed},0,0,0,0,0,0,0\n1,0,-0.04,0,0,-{speed / 2},0,0,0,0,3,4,0\n")
+        rows = f"0,0,0,0,0,-{speed},0,0,0,0,0,0,0\n1,0,-0.04,0,0,-{speed / 2},0,0,0,0,3,4,0\n"
+        (run / "history.csv").write_text(HISTORY + rows)
         self.folder.status(name).write_text(json.dumps(state))
 
     def test_results(self):
@@ -100,6 +102,13 @@ class Results(unittest.TestCase):
         write_results(self.study, self.points, Measured(self.study, self.folder), going_on=False)
         self.assertTrue((self.folder.path / "plots/end_speed_over_impact_speed_layers.png").stat().st_size > 5000)
         self.assertNotIn("refresh", (self.folder.path / "index.html").read_text())
+
+    def test_tied_parameters(self):
+        """Zipped lists are drawn as one parameter, those of a grid or a sample as two."""
+        column = lambda *values: Column("", "", "", "parameter", list(values))
+        self.assertTrue(tied(column(1, 2, 3), column(9, 5, 4)))
+        self.assertFalse(tied(column(1, 1, 2, 2), column(5, 6, 5, 6)))
+        self.assertFalse(tied(column(1, 2, 3), column(5, 9, 4)))
 
     def test_every_usual_metric_is_known(self):
         self.assertLessEqual(set(metrics.DEFAULT), metrics.known().keys())

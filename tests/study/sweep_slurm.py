@@ -72,7 +72,7 @@ class OnSlurm(unittest.TestCase):
         self.assertLessEqual(before.items(), small.ended().items())
 
     def test_cancelled_job(self):
-        """A job that Slurm ends, as at its time limit, is not taken for a failed point: the others go on, the next call runs it."""
+        """A job that Slurm ends, as at its time limit, is no failed point: the others go on, the next call runs it."""
         small = small_study.SmallStudy(self.scratch, (1e6,), rate=0.3)
         process = self.start(small)
         victim = "frazil-tensile_strength-1000000_weibull_seed-1"

@@ -18,8 +18,8 @@ def find_case(name: str) -> Path:
 
 def read(case: Path) -> dict:
     """case.json: title, question, levels with their parameters, default_level, np (ranks), pair (false: no fluid),
-    picture (a script of cases/tools), test (parameters with which the case is tested), units (of the parameters that have one),
-    choices (of a parameter that stands for others: its values, each with the parameters that differ from the level's)."""
+    picture (a script of cases/tools), test (parameters with which the case is tested), units of parameters, choices (of a
+    parameter that stands for others: its values, each with the parameters that differ from the level's)."""
     try:
         return json.loads((case / "case.json").read_text())
     except json.JSONDecodeError as error:

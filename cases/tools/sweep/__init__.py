@@ -3,7 +3,7 @@
     needs                    Debian's packages for it, only when they are wanted
     metrics                  what a run is asked
     loader, study, vary, reader, points     the study file; its points and their names
-    places, table            the files of a study folder; results as CSV and HDF5
+    study_folder, table      the files of a study folder; results as CSV and HDF5
     plots, page              figures and the HTML page
     estimate                 how long it will take
     lock, jobs, run          one sweep at a time; Snakemake's command line; the sweep as a whole

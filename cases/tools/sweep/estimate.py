@@ -4,13 +4,12 @@ from __future__ import annotations
 import argparse
 import json
 import os
-from pathlib import Path
 
 from launcher import places
 from launcher.say import clock
 
-from .places import DONE, FAILED, StudyFolder
 from .study import Study
+from .study_folder import DONE, FAILED, StudyFolder
 
 
 def side_by_side(ranks: int, arguments: argparse.Namespace) -> int:

@@ -16,7 +16,7 @@ from launcher.environment import environment
 from launcher.say import Failure
 
 from .lock import say_how_to_end
-from .places import StudyFolder
+from .study_folder import StudyFolder
 
 HERE = Path(__file__).resolve().parent
 INTERRUPT_PATIENCE = 90  # a pair that is asked to end gets 30 s to write its output [s]
@@ -36,10 +36,10 @@ def command(folder: StudyFolder, arguments: argparse.Namespace) -> list[str]:
 
 
 def slurm_words(arguments: argparse.Namespace) -> list[str]:
-    """Snakemake on Slurm through sbatch: each job asks for as many tasks as its point has ranks. Slurm copies the environment."""
+    """Snakemake on Slurm through sbatch: a job has as many tasks as its point has ranks, and a copy of this environment."""
     if not shutil.which("sbatch"):
         raise Failure("--slurm: there is no sbatch here. Start the sweep on a machine that submits to your Slurm.")
-    options = [f"--{option}" for option in arguments.sbatch]
+    options = [shlex.quote(f"--{option}") for option in arguments.sbatch]
     submit = ["sbatch", "--parsable", "--nodes=1", "--ntasks={threads}", "--job-name=frazil-{wildcards.point}",
               "--output=log/slurm-%j.txt", *options]
     status = shlex.join([sys.executable, "-B", str(HERE / "slurm_status.py")])

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import jinja2
 
-from .places import DONE, FAILED, StudyFolder, write_whole
 from .plots import draw
 from .study import Study
+from .study_folder import DONE, FAILED, StudyFolder, write_whole
 from .table import Column, columns, Measured, write_csv, write_hdf5
 
 HERE = Path(__file__).resolve().parent

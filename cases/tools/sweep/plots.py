@@ -3,6 +3,7 @@ are no axis: repeats are drawn with the span from the smallest to the largest.""
 from __future__ import annotations
 
 import itertools
+import textwrap
 from pathlib import Path
 
 import matplotlib
@@ -41,6 +42,11 @@ def tied(one: Column, other: Column) -> bool:
     return bool((steps[:, 0] > 0).all() and ((steps[:, 1] > 0).all() or (steps[:, 1] < 0).all()))
 
 
+def wrapped(label: str) -> str:
+    """A label in lines that fit beside a figure; the unit stays with its word."""
+    return textwrap.fill(label.replace(" [", "\xa0["), 36)
+
+
 def curve(axis, x: numpy.ndarray, y: numpy.ndarray, label: str = "") -> None:
     """Points in the order of x with a line through their means, and the span of repeats."""
     places, mean, low, high = repeats(x[:, None], y)
@@ -59,7 +65,8 @@ def over(path: Path, parameter: Column, metric: Column, others: list[Column]) ->
         axis.legend(title=others[0].label, frameon=False, fontsize="small")
     else:
         axis.plot(*rows(parameter, metric).T, "o", markersize=4)
-    axis.set(xlabel=parameter.title, ylabel=metric.title)
+    axis.set(xlabel=parameter.title, ylabel=wrapped(metric.title))
+    axis.locator_params(axis="x", nbins=6)
     figure.savefig(path, dpi=110)
     pyplot.close(figure)
 
@@ -80,7 +87,7 @@ def over_pair(path: Path, pair: tuple[Column, Column], metric: Column) -> None:
     figure, axis = pyplot.subplots(figsize=(4.6, 3.4), layout="constrained")
     plane(axis, places, mean, limits)
     points = axis.scatter(*places.T, c=mean, edgecolors="black", linewidths=1, zorder=2, **limits)
-    figure.colorbar(points, label=metric.title)
+    figure.colorbar(points, label=wrapped(metric.title))
     axis.use_sticky_edges = False  # room around the outermost points
     axis.margins(0.06)
     axis.set(xlabel=pair[0].title, ylabel=pair[1].title)
@@ -89,17 +96,16 @@ def over_pair(path: Path, pair: tuple[Column, Column], metric: Column) -> None:
 
 
 def draw(folder: Path, table: list[Column]) -> dict[str, list[Path]]:
-    """All figures, as {metric's label: [files]}."""
+    """All figures, by the heading under which they stand."""
     folder.mkdir(exist_ok=True)
-    parameters, figures = drawn(table, "parameter", 2), {}
-    for metric in drawn(table, "metric", 1):
-        files = figures.setdefault(metric.label, [])
-        for one in parameters:
-            if len(set(rows(one, metric)[:, 0])) > 1:
-                files.append(folder / f"{metric.name}_over_{one.name}.png")
-                over(files[-1], one, metric, [other for other in parameters if other is not one and not tied(one, other)])
-        for pair in itertools.combinations(parameters, 2):
-            if not tied(*pair) and all(len(set(column)) > 1 for column in rows(*pair, metric)[:, :2].T):
-                files.append(folder / f"{metric.name}_over_{pair[0].name}_{pair[1].name}.png")
-                over_pair(files[-1], pair, metric)
-    return figures
+    parameters, metrics = drawn(table, "parameter", 2), drawn(table, "metric", 1)
+    single, pairs = [], []
+    for one, metric in itertools.product(parameters, metrics):
+        if len(set(rows(one, metric)[:, 0])) > 1:
+            single.append(folder / f"{metric.name}_over_{one.name}.png")
+            over(single[-1], one, metric, [other for other in parameters if other is not one and not tied(one, other)])
+    for pair, metric in itertools.product(itertools.combinations(parameters, 2), metrics):
+        if not tied(*pair) and all(len(set(column)) > 1 for column in rows(*pair, metric)[:, :2].T):
+            pairs.append(folder / f"{metric.name}_over_{pair[0].name}_{pair[1].name}.png")
+            over_pair(pairs[-1], pair, metric)
+    return {"Over each parameter": single, "Over two parameters": pairs}

@@ -17,7 +17,7 @@ from launcher.resume import resume
 from launcher.run import plan, Run
 from launcher.say import Failure
 
-from .places import DONE, FAILED, StudyFolder, write_whole
+from .study_folder import DONE, FAILED, StudyFolder, write_whole
 
 EARLIER = "earlier_seconds"  # in the run folder: wall time of the attempts before this one [s]
 

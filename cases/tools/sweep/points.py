@@ -78,7 +78,8 @@ def sobol(study: Study) -> list[dict]:
     from scipy.stats import qmc
     power = study.count.bit_length() - 1
     if 2**power != study.count:
-        study.refuse("count", study.count, "Sobol points are even only in powers of two", f"Give {2**power} or {2**(power + 1)}.")
+        study.refuse("count", study.count, "Sobol points are even only in powers of two",
+                     f"Give {2**power} or {2**(power + 1)}.")
     return sampled(study, qmc.Sobol(len(study.vary), seed=study.seed).random_base2(power))
 
 

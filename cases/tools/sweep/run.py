@@ -4,7 +4,6 @@ from __future__ import annotations
 import argparse
 import json
 import re
-import shutil
 import subprocess
 import time
 from pathlib import Path
@@ -20,10 +19,10 @@ from .estimate import remaining, side_by_side
 from .lock import held
 from .needs import need_snakemake
 from .page import write_results
-from .places import DONE, FAILED, StudyFolder, write_whole
 from .points import points as points_of
 from .reader import read_study
 from .study import SAMPLES, Study
+from .study_folder import DONE, FAILED, StudyFolder, write_whole
 from .table import Measured
 
 DRAWING_SHARE = 0.05  # at most of the time that goes into figures while points run
@@ -37,8 +36,9 @@ def sweep(arguments: argparse.Namespace) -> int:
     points = points_of(study)
     folder = StudyFolder(Path(arguments.out or places.TOP / "runs" / f"{study.case.name}-{study.path.stem}").resolve())
     ranks = ranks_of(study)
+    lanes = side_by_side(ranks, arguments)
     if arguments.dry_run:
-        say_points(study, folder, points, side_by_side(ranks, arguments))
+        say_points(study, folder, points, lanes)
         return 0
     need_snakemake()
     setup()
@@ -47,7 +47,7 @@ def sweep(arguments: argparse.Namespace) -> int:
         if arguments.retry_failed:
             forget_failed(folder, points)
         write_points(study, folder, points, ranks)
-        print(f"{study.title}: {remaining(study, folder, points, side_by_side(ranks, arguments))}, in {folder.path}", flush=True)
+        print(f"{study.title}: {remaining(study, folder, points, lanes)}, in {folder.path}", flush=True)
         follow(study, folder, points, jobs.start(folder, arguments, lock))
     return summary(folder, points)
 
@@ -82,11 +82,10 @@ def check_same(study: Study, folder: StudyFolder, points: dict[str, dict]) -> No
 
 
 def forget_failed(folder: StudyFolder, points: dict[str, dict]) -> None:
-    """--retry-failed: failed points are to be run again, from their start; the logs stay."""
+    """--retry-failed: failed points are to be run again, from their start."""
     for name in points:
         if folder.state(name)["status"] == FAILED:
-            shutil.rmtree(folder.run(name), ignore_errors=True)
-            folder.mark(name).unlink(missing_ok=True)
+            folder.forget(name)
 
 
 def write_points(study: Study, folder: StudyFolder, points: dict[str, dict], ranks: int) -> None:

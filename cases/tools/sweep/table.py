@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from .metrics import chosen, measure
-from .places import DONE, StudyFolder, write_whole
 from .points import varied
 from .study import Study
+from .study_folder import DONE, StudyFolder, write_whole
 
 WALL_TIME = "wall_time"
 

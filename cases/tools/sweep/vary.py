@@ -74,7 +74,7 @@ def check_repeats(study: Study) -> None:
         return
     varied = set(study.vary).union(*study.points)
     if SEED not in study.defaults or SEED in varied:
-        study.refuse("repeats", study.repeats, f"counts the values of {SEED}, which {study.case.name} does not have or you vary",
+        study.refuse("repeats", study.repeats, f"are seeds of {SEED}, which {study.case.name} does not have or you vary",
                      "Leave out one of them.")
     if not study.defaults["weibull_modulus"] and "weibull_modulus" not in varied:
         study.refuse("repeats", study.repeats, "all bonds are equally strong, so every repeat would be the same",

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 from pathlib import Path
 
 DONE, FAILED, UNFINISHED, WAITING = "done", "failed", "unfinished", "waiting"
@@ -20,7 +21,7 @@ class StudyFolder:
     """Paths of a study folder, and the states of its points."""
 
     def __init__(self, path: Path) -> None:
-        self.path = path
+        self.path, self.ended = path, {}
 
     def run(self, name: str) -> Path:
         """Run folder of a point."""
@@ -38,10 +39,18 @@ class StudyFolder:
         """What was said while a point ran."""
         return self.path / "log" / f"{name}.txt"
 
+    def forget(self, name: str) -> None:
+        """Makes a point one that is still to be run; its log stays."""
+        shutil.rmtree(self.run(name), ignore_errors=True)
+        self.mark(name).unlink(missing_ok=True)
+        self.ended.pop(name, None)
+
     def state(self, name: str) -> dict:
         """status (done, failed, unfinished, waiting); of an ended point also why, check, wall_seconds."""
-        if self.status(name).is_file():
-            return json.loads(self.status(name).read_text())
+        if name not in self.ended and self.status(name).is_file():
+            self.ended[name] = json.loads(self.status(name).read_text())
+        if name in self.ended:
+            return self.ended[name]
         return {"status": UNFINISHED if (self.run(name) / "run.json").is_file() else WAITING}
 
 
