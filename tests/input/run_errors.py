@@ -12,7 +12,7 @@ from pathlib import Path
 from unittest import mock
 
 from launcher import cli, places
-from launcher.case import find_case
+from launcher.case import find_case, parameters
 from launcher.cli import parser, run_case
 from launcher.resume import forget_after, restart_point, resume
 from launcher.run import decomposition, free_folder, plan, prepare
@@ -90,6 +90,17 @@ class Launcher(unittest.TestCase):
 
     def test_parameters_are_set(self):
         self.assertEqual(plan(self.arguments("--set", "speed=2")).params, {"speed": 2, "name": "a"})
+
+    def test_a_choice_stands_for_several_parameters(self):
+        """Those set one by one come after it, whatever the order; what is not among its values is refused."""
+        text = {"levels": {"demo": {"ice": "soft", "young": 1.0, "strength": 2.0}},
+                "choices": {"ice": {"soft": {}, "hard": {"young": 5.0, "strength": 6.0}}}}
+        of = lambda *words: parameters(text, "demo", list(words))
+        self.assertEqual(of(), {"ice": "soft", "young": 1.0, "strength": 2.0})
+        self.assertEqual(of("ice=hard"), {"ice": "hard", "young": 5.0, "strength": 6.0})
+        self.assertEqual(of("young=7", "ice=hard"), {"ice": "hard", "young": 7, "strength": 6.0})
+        with self.assertRaisesRegex(Failure, "ice=herd: no such ice. Did you mean hard"):
+            of("ice=herd")
 
     def test_resume_takes_the_last_common_state(self):
         """The fluid wrote 0.1 and was interrupted before it wrote 0.2, whose restart file is there."""
