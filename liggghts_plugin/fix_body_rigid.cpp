@@ -1,5 +1,6 @@
 #include "fix_body_rigid.h"
 
+#include "Hello.h"
 #include "body_options.h"
 #include "host_vector.h"
 #include "say.h"
@@ -149,7 +150,7 @@ void FixBodyRigid::kick(double dt)
    results, restart, coupling
 ------------------------------------------------------------------------- */
 
-/// f_ID[1..26]: centre, velocity, omega, quaternion, contact force and torque, fluid force and torque, wetted fraction.
+/// f_ID[1..26]: centre, velocity, omega, quaternion, contact force and torque, fluid force and torque, submerged share.
 double FixBodyRigid::compute_vector(int n)
 {
     const frazil::Quaternion& q = motion_.orientation;
@@ -163,7 +164,7 @@ double FixBodyRigid::compute_vector(int n)
     if (n < 13)
         return quaternion[n - 9];
     const Vec3 loads[4] = {contact_.force, contact_.torque, fluid_.force, fluid_.torque};
-    return n < 25 ? loads[(n - 13) / 3][(n - 13) % 3] : fluid_.wetFraction;
+    return n < 25 ? loads[(n - 13) / 3][(n - 13) % 3] : fluid_.submergedShare;
 }
 
 /// The mesh fix stores the nodes where they are; this is what they cannot tell.
@@ -191,7 +192,7 @@ void FixBodyRigid::restart(char* buffer)
 {
     RestartState state;
     std::memcpy(&state, buffer, sizeof(state));
-    if (std::abs(state.volume - volume_) > 1e-6 * state.volume)
+    if (!frazil::sameVolume(volume_, state.volume))
         fail("the restart file's body has a volume of " + text(state.volume) + " m3, the mesh '" + mesh_->id() +
              "' one of " + text(volume_) + " m3: continue with the surface that the run was started with");
     motion_.mass = state.mass;
@@ -207,6 +208,11 @@ void FixBodyRigid::restart(char* buffer)
     fluid_ = state.fluid;
 }
 
+double FixBodyRigid::bodyVolume() const
+{
+    return volume_;
+}
+
 frazil::BodyState FixBodyRigid::bodyState() const
 {
     frazil::BodyState state;
@@ -214,11 +220,8 @@ frazil::BodyState FixBodyRigid::bodyState() const
     state.centre = motion_.centre;
     state.velocity = motion_.velocity;
     state.angularVelocity = motion_.omega();
-    const frazil::Quaternion& q = motion_.orientation;
-    const double quaternion[4] = {q.w, q.x, q.y, q.z};
-    std::copy_n(quaternion, 4, state.orientation);
+    state.orientation = motion_.orientation;
     state.centroidOffset = centroidOffset_;
-    state.volume = volume_;
     return state;
 }
 

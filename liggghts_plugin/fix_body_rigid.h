@@ -47,6 +47,7 @@ class FixBodyRigid : public Fix, public CoupledBody
     void write_restart(FILE*) override;
     void restart(char*) override;
 
+    double bodyVolume() const override;
     frazil::BodyState bodyState() const override;
     void setFluidLoad(const frazil::BodyLoad&) override;
 

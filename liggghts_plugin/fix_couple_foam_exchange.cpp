@@ -49,8 +49,8 @@ frazil::DemHello FixCoupleFoam::hello()
     h.fluidTime = restartTime_;
 
     measureParticles(h);
-    for (const frazil::BodyState& state : statesOf(bodies_))
-        h.bodies.push_back({state.name, state.volume});
+    for (const CoupledBody* body : bodies_)
+        h.bodies.push_back({body->bodyState().name, body->bodyVolume()});
     return h;
 }
 

@@ -189,7 +189,7 @@ std::string compareBodies(const DemHello& dem, const FoamHello& foam)
                 fmt::format("bodies: frazilDem has a body `{}` (fix body/rigid), frazilFoam has: {}. Add it to bodies "
                             "in constant/couplingProperties.\n",
                             body.name, names(foam.bodies));
-        } else if (std::fabs(other->volume - body.volume) > 1e-6 * std::fabs(body.volume)) {
+        } else if (!sameVolume(other->volume, body.volume)) {
             lines += fmt::format(
                 "body `{}`: its surface holds {:.9g} m3 in frazilDem, {:.9g} m3 in frazilFoam. Give both the "
                 "same STL file and scale.\n",

@@ -4,6 +4,7 @@
 /// Cost: one message each way. Parallel: the first ranks talk, then each tells its own.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,12 +16,18 @@ namespace frazil
 {
 
 /// Version of the messages; raised when a record or its meaning changes.
-constexpr std::int64_t messageVersion = 4;
+constexpr std::int64_t messageVersion = 5;
 
 struct BodyHello {
     std::string name;
     double volume = 0; ///< of the closed surface [m3]
 };
+
+/// Are these the volumes [m3] of one surface, read by two programs or in two runs? Ascii STL files keep six digits.
+inline bool sameVolume(double a, double b)
+{
+    return std::fabs(a - b) <= 1e-6 * std::fabs(b);
+}
 
 struct DemHello {
     std::int64_t version = messageVersion;

@@ -5,6 +5,7 @@
 
 #include "Interaction.h"
 #include "ParticleView.h"
+#include "Rotation.h"
 #include "Vec3.h"
 
 namespace frazil
@@ -48,20 +49,19 @@ struct StepReport {
 /// State of a rigid body at the start of a fluid step.
 struct BodyState {
     char name[64] = {};
-    Vec3 centre;                          ///< centre of mass [m]
-    Vec3 velocity;                        ///< [m/s]
-    Vec3 angularVelocity;                 ///< [rad/s]
-    double orientation[4] = {1, 0, 0, 0}; ///< quaternion, w first, from the surface as first loaded to now
-    Vec3 centroidOffset; ///< centroid of the closed surface minus centre of mass, initial orientation [m]
-    double volume = 0;   ///< of the closed surface [m3], compared with the partner's
+    Vec3 centre;            ///< centre of mass [m]
+    Vec3 velocity;          ///< [m/s]
+    Vec3 angularVelocity;   ///< [rad/s]
+    Quaternion orientation; ///< from the surface as first loaded to now
+    Vec3 centroidOffset;    ///< centroid of the closed surface minus centre of mass, initial orientation [m]
 };
 
 /// What the fluid does to the body over a step.
 struct BodyLoad {
-    Vec3 force;             ///< [N], buoyancy included
-    Vec3 torque;            ///< about the centre of mass [N m]
-    double wetFraction = 0; ///< share of the body's volume below water [-]
-    char name[64] = {};     ///< of the BodyState: the two programs list their bodies in orders of their own
+    Vec3 force;                ///< [N], buoyancy included
+    Vec3 torque;               ///< about the centre of mass [N m]
+    double submergedShare = 0; ///< share of the body's volume below water [-]
+    char name[64] = {};        ///< of the BodyState: the two programs list their bodies in orders of their own
 };
 
 } // namespace frazil

@@ -4,7 +4,7 @@
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalar Foam::cellSizeAt(const fvMesh& mesh, const immersedBody& body)
+Foam::scalar Foam::cellSizeAt(const fvMesh& mesh, const placedBody& body)
 {
     scalar inBox = GREAT;
     scalar anywhere = GREAT;

@@ -1,5 +1,5 @@
 #include "bodyCutting.H"
-#include "immersedBody.H"
+#include "placedBody.H"
 #include "fvMesh.H"
 #include "processorPolyPatch.H"
 #include "syncTools.H"
@@ -61,7 +61,7 @@ void Foam::bodyCutting::touch(const label facei, bodyCut& out)
 
 frazil::CutFace Foam::bodyCutting::gather
 (
-    const immersedBody& body,
+    const placedBody& body,
     const label facei
 )
 {
@@ -97,7 +97,7 @@ frazil::CutFace Foam::bodyCutting::gather
 
 void Foam::bodyCutting::cutOne
 (
-    const immersedBody& body,
+    const placedBody& body,
     const label celli,
     const scalar distance,
     bodyCut& out
@@ -121,7 +121,7 @@ void Foam::bodyCutting::cutOne
 }
 
 
-void Foam::bodyCutting::findNear(const immersedBody& body, bodyCut& out)
+void Foam::bodyCutting::findNear(const placedBody& body, bodyCut& out)
 {
     bins_.find(body.bounds(), candidates_);
     const scalarField& radius = bins_.radius();
@@ -140,7 +140,7 @@ void Foam::bodyCutting::findNear(const immersedBody& body, bodyCut& out)
 }
 
 
-void Foam::bodyCutting::cutNear(const immersedBody& body, bodyCut& out)
+void Foam::bodyCutting::cutNear(const placedBody& body, bodyCut& out)
 {
     const scalarField& radius = bins_.radius();
 
@@ -227,10 +227,10 @@ bool Foam::bodyCutting::fillClosedCells(const bodyCut& out)
 }
 
 
-void Foam::bodyCutting::matchVolume(const immersedBody& body, bodyCut& out)
+Foam::bodyCutting::cutSums Foam::bodyCutting::sumsOf(const bodyCut& out) const
 {
     const scalarField& V = mesh_.V();
-    vector sums(Zero);  // volume cut, room for the match, boundary faces cut
+    vector sums(Zero);
     for (const label celli : out.cells)
     {
         const scalar share = share_[celli];
@@ -245,16 +245,23 @@ void Foam::bodyCutting::matchVolume(const immersedBody& body, bodyCut& out)
         }
     }
     reduce(sums, sumOp<vector>());
-    out.volumeCut = out.volume = sums[0];
+    return {sums[0], sums[1], sums[2] > 0};
+}
+
+
+void Foam::bodyCutting::matchVolume(const placedBody& placed, bodyCut& out)
+{
+    const immersedBody& body = placed.body();
+    const cutSums sums(sumsOf(out));
+    out.volumeCut = out.volume = sums.volume;
 
     // Nothing crosses the boundary: all inside, unless the body has just left
-    const bool inside =
-        sums[2] == 0 && mesh_.bounds().contains(body.pose().centre);
-    if (!inside || sums[1] <= SMALL*body.volume())
+    const bool inside = !sums.crossesBoundary && mesh_.bounds().contains(placed.pose().centre);
+    if (!inside || sums.room <= SMALL*body.volume())
     {
         return;
     }
-    const scalar match = (body.volume() - sums[0])/sums[1];
+    const scalar match = (body.volume() - sums.volume)/sums.room;
     if (mag(match) > largestMatch)
     {
         throw frazil::InputError
@@ -262,13 +269,8 @@ void Foam::bodyCutting::matchVolume(const immersedBody& body, bodyCut& out)
             "constant/couplingProperties",
             "bodies." + body.name(),
             body.file(),
-            fmt::format
-            (
-                "the mesh holds {:.3g} m3 of the body's {:.3g} m3",
-                sums[0], body.volume()
-            ),
-            "Refine the mesh around the body: its thinnest part should be "
-            "several cells wide."
+            fmt::format("the mesh holds {:.3g} m3 of the body's {:.3g} m3", sums.volume, body.volume()),
+            "Refine the mesh around the body: its thinnest part should be several cells wide."
         );
     }
     for (const label celli : out.cells)
@@ -312,7 +314,7 @@ Foam::bodyCutting::bodyCutting(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::bodyCutting::cut(const immersedBody& body, bodyCut& out)
+void Foam::bodyCutting::cut(const placedBody& body, bodyCut& out)
 {
     ++cut_;
     out.clear();

@@ -61,6 +61,8 @@ void findEdges
     // Behind patches that are not coupled: the cell's own
     scalarList beyond;
     syncTools::swapBoundaryCellList(mesh, distance.primitiveField(), beyond);
+    // By all ranks: made when first asked for, which takes part of all of them
+    (void)mesh.nonOrthDeltaCoeffs();
     for (const label celli : cells)
     {
         edge[celli] = 0;

@@ -1,4 +1,5 @@
 #include "bodyLoads.H"
+#include "conversions.H"
 #include "immersedBodies.H"
 #include "surfaceInterpolate.H"
 #include "surfaceFields.H"
@@ -80,6 +81,44 @@ vector pressureNotTaken(const surfaceScalarField& pf, const vector& taken, const
 }
 
 
+namespace
+{
+
+//- Force and torque on a body by this rank's cells
+resultant resultantOn
+(
+    const immersedBodies& bodies,
+    const label bodyi,
+    const surfaceScalarField& pf,
+    const volVectorField& gradP,
+    const volVectorField& stress,
+    const volVectorField& byBodies
+)
+{
+    const fvMesh& mesh = pf.mesh();
+    const scalarField& gamma = bodies.gamma();
+    const point centre = bodies.centre(bodyi);
+    resultant load;
+    for (const label celli : bodies.cutOf(bodyi).cells)
+    {
+        if (bodies.bodyOf()[celli] != bodyi)
+        {
+            continue;
+        }
+        vector inCell(-byBodies[celli]);
+        if (touchedByBody(bodies, celli))
+        {
+            inCell += (1 - gamma[celli])*gradP[celli] + gamma[celli]*stress[celli];
+            addPressure(pf, celli, centre, load);
+        }
+        load.add(mesh.V()[celli]*inCell, mesh.C()[celli] - centre);
+    }
+    return load;
+}
+
+} // End anonymous namespace
+
+
 std::vector<frazil::BodyLoad> bodyLoads
 (
     const immersedBodies& bodies,
@@ -91,37 +130,19 @@ std::vector<frazil::BodyLoad> bodyLoads
     const vector& up
 )
 {
-    const fvMesh& mesh = p.mesh();
-    const volScalarField& gamma = bodies.gamma();
     const surfaceScalarField pf(fvc::interpolate(p));
     std::vector<frazil::BodyLoad> loads;
 
     for (label bodyi = 0; bodyi < bodies.size(); ++bodyi)
     {
-        const point centre = bodies.centre(bodyi);
-        resultant load;
-        for (const label celli : bodies.cutOf(bodyi).cells)
-        {
-            if (bodies.bodyOf()[celli] != bodyi)
-            {
-                continue;
-            }
-            vector inCell(-byBodies[celli]);
-            if (touchedByBody(bodies, celli))
-            {
-                inCell += (1 - gamma[celli])*gradP[celli] + gamma[celli]*stress[celli];
-                addPressure(pf, celli, centre, load);
-            }
-            load.add(mesh.V()[celli]*inCell, mesh.C()[celli] - centre);
-        }
-
+        const resultant load(resultantOn(bodies, bodyi, pf, gradP, stress, byBodies));
         const vector force = returnReduce(load.force, sumOp<vector>());
         const vector torque = returnReduce(load.torque, sumOp<vector>());
-        const scalar wet = bodies.wetFraction(bodyi, alpha1, up);
-        loads.push_back({{force.x(), force.y(), force.z()}, {torque.x(), torque.y(), torque.z()}, wet});
+        const scalar submerged = bodies.submergedShare(bodyi, alpha1, up);
+        loads.push_back({toVec3(force), toVec3(torque), submerged});
 
-        Info<< "Body " << bodies.name(bodyi) << ": centre " << centre << " velocity "
-            << bodies.pose(bodyi).velocity << " force " << force << " torque " << torque << " wet " << wet << endl;
+        Info<< "Body " << bodies.name(bodyi) << ": centre " << bodies.centre(bodyi) << " velocity "
+            << bodies.pose(bodyi).velocity << " force " << force << " torque " << torque << " wet " << submerged << endl;
     }
     return loads;
 }

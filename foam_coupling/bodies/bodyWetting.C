@@ -1,5 +1,5 @@
 #include "bodyWetting.H"
-#include "bodyCutting.H"
+#include "bodyCellSize.H"
 #include "fvMesh.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -10,21 +10,6 @@ namespace
 using namespace Foam;
 
 constexpr label mostSlices = 400;
-
-
-//- Edge of the finest cell that the body cuts [m]
-scalar finestCut(const bodyCut& cut, const scalarField& V)
-{
-    scalar least = GREAT;
-    forAll(cut.cells, i)
-    {
-        if (cut.share[i] > 0 && cut.share[i] < 1)
-        {
-            least = min(least, V[cut.cells[i]]);
-        }
-    }
-    return std::cbrt(returnReduce(least, minOp<scalar>()));
-}
 
 
 //- Area of the body's surface in a cell: what its open faces do not balance [m2]
@@ -67,7 +52,7 @@ struct sliceSums
     }
 
     //- Share of wet volume, slices without surface like the nearest with it
-    scalar wetShare() const
+    scalar submerged() const
     {
         scalar sum = 0;
         const scalar least = 1e-6*max(weight);
@@ -95,7 +80,7 @@ struct sliceSums
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalar Foam::wetFraction
+Foam::scalar Foam::submergedShare
 (
     const volScalarField& alpha1,
     const bodyCut& cut,
@@ -106,7 +91,7 @@ Foam::scalar Foam::wetFraction
 )
 {
     const fvMesh& mesh = alpha1.mesh();
-    const scalar height = finestCut(cut, mesh.V());
+    const scalar height = finestCut(mesh, cut);
     const label n =
         2 + max(label(0), min(mostSlices, label(2*reach/height)));
     const vector direction(mag(up) > VSMALL ? up/mag(up) : vector(0, 0, 1));
@@ -130,7 +115,7 @@ Foam::scalar Foam::wetFraction
         Pstream::listCombineGather(*field, plusEqOp<scalar>());
         Pstream::listCombineScatter(*field);
     }
-    return sums.wetShare();
+    return sums.submerged();
 }
 
 

@@ -33,26 +33,8 @@ void Foam::cellBins::forBins(const boundBox& box, const Visit& visit) const
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::cellBins::cellBins(const polyMesh& mesh)
-:
-    box_(mesh.points(), false),
-    n_(1, 1, 1),
-    seen_(mesh.nCells(), -1),
-    query_(0),
-    radius_(mesh.nCells(), Zero)
+Foam::List<Foam::boundBox> Foam::cellBins::measure(const polyMesh& mesh)
 {
-    // About eight cells per bin where cells are of mean size
-    const vector span(box_.span() + vector::uniform(VSMALL));
-    const scalar width =
-        2*cbrt(span.x()*span.y()*span.z()/max(mesh.nCells(), label(1)));
-    for (direction d = 0; d < 3; ++d)
-    {
-        n_[d] = max(label(1), min(label(1000), label(span[d]/width)));
-        perBin_[d] = n_[d]/span[d];
-    }
-
     List<boundBox> bounds(mesh.nCells(), boundBox(boundBox::invertedBox));
     const pointField& points = mesh.points();
     const vectorField& centres = mesh.cellCentres();
@@ -73,7 +55,13 @@ Foam::cellBins::cellBins(const polyMesh& mesh)
     {
         add(mesh.faceNeighbour()[facei], mesh.faces()[facei]);
     }
+    return bounds;
+}
 
+
+//- Counting sort: cells of bin b are cells_[start_[b]] to cells_[start_[b + 1] - 1]
+void Foam::cellBins::sort(const List<boundBox>& bounds)
+{
     labelList count(n_.x()*n_.y()*n_.z() + 1, Zero);
     for (const boundBox& box : bounds)
     {
@@ -93,6 +81,29 @@ Foam::cellBins::cellBins(const polyMesh& mesh)
             [&](const label bin) { cells_[count[bin]++] = celli; }
         );
     }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::cellBins::cellBins(const polyMesh& mesh)
+:
+    box_(mesh.points(), false),
+    n_(1, 1, 1),
+    seen_(mesh.nCells(), -1),
+    query_(0),
+    radius_(mesh.nCells(), Zero)
+{
+    // About eight cells per bin where cells are of mean size
+    const vector span(box_.span() + vector::uniform(VSMALL));
+    const scalar width =
+        2*cbrt(span.x()*span.y()*span.z()/max(mesh.nCells(), label(1)));
+    for (direction d = 0; d < 3; ++d)
+    {
+        n_[d] = max(label(1), min(label(1000), label(span[d]/width)));
+        perBin_[d] = n_[d]/span[d];
+    }
+    sort(measure(mesh));
 }
 
 

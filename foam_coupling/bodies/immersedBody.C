@@ -4,13 +4,8 @@
 #include "PstreamReduceOps.H"
 #include "ops.H"
 #include "scalarList.H"
-#include "quaternion.H"
 
 #include <cmath>
-
-#include <fmt/format.h>
-
-#include "InputError.h"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -24,23 +19,6 @@ const double edgeWidth = 1/std::sqrt(3.0);
 
 constexpr double marginInCells = 4;
 constexpr double mostNodes = 8e6;
-
-//- Volumes of the same STL read by two programs agree to round-off; ascii
-//  files keep at least six digits
-constexpr double volumeTolerance = 1e-6;
-
-
-Foam::tensor rotationBy(const Foam::vector& angle)
-{
-    using namespace Foam;
-
-    const scalar size = mag(angle);
-    return
-        size > VSMALL
-      ? quaternion(angle/size, size).R()
-      : tensor(tensor::I);
-}
-
 
 //- Sizes of cells that differ by less are the same: round-off of volumes
 constexpr double sameSize = 1e-6;
@@ -59,65 +37,6 @@ double defaultSpacing(const frazil::Box& bounds, double cellSize)
 }
 
 } // End anonymous namespace
-
-
-// * * * * * * * * * * * * * * * * Body's pose * * * * * * * * * * * * * * * //
-
-Foam::bodyPose::bodyPose(const frazil::BodyState& state)
-:
-    centre(toVector(state.centre)),
-    rotation
-    (
-        normalize
-        (
-            quaternion
-            (
-                state.orientation[0],
-                vector
-                (
-                    state.orientation[1],
-                    state.orientation[2],
-                    state.orientation[3]
-                )
-            )
-        ).R()
-    ),
-    velocity(toVector(state.velocity)),
-    omega(toVector(state.angularVelocity))
-{}
-
-
-Foam::bodyPose::bodyPose(const scalar* row)
-:
-    centre(row[0], row[1], row[2]),
-    rotation
-    (
-        row[3], row[4], row[5], row[6], row[7], row[8], row[9], row[10], row[11]
-    ),
-    velocity(row[12], row[13], row[14]),
-    omega(row[15], row[16], row[17])
-{}
-
-
-void Foam::bodyPose::put(scalar* row) const
-{
-    for (const vector& v : {centre, rotation.x(), rotation.y(), rotation.z(), velocity, omega})
-    {
-        for (direction c = 0; c < 3; ++c)
-        {
-            *row++ = v[c];
-        }
-    }
-}
-
-
-Foam::bodyPose Foam::bodyPose::after(const scalar deltaT) const
-{
-    bodyPose later(*this);
-    later.centre += deltaT*velocity;
-    later.rotation = rotationBy(deltaT*omega) & rotation;
-    return later;
-}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -164,8 +83,7 @@ Foam::immersedBody::immersedBody
     givenCellSize_(settings.has("cellSize") ? settings.positive("cellSize") : 0),
     givenSpacing_(settings.has("lattice") ? settings.positive("lattice") : 0),
     reach_(0),
-    cellSize_(0),
-    pose_(frazil::BodyState())
+    cellSize_(0)
 {
     settings.finish();
     const std::string path = file_[0] == '/' ? file_ : casePath + "/" + file_;
@@ -179,7 +97,6 @@ Foam::immersedBody::immersedBody
             reach_ = max(reach_, norm(p - mass_.centre));
         }
     }
-    place(asLoaded());
 }
 
 
@@ -190,7 +107,6 @@ frazil::BodyState Foam::immersedBody::asLoaded() const
     frazil::BodyState state;
     name_.copy(state.name, sizeof(state.name) - 1);
     state.centre = mass_.centre;
-    state.volume = mass_.volume;
     return state;
 }
 
@@ -203,52 +119,6 @@ void Foam::immersedBody::resolve(const scalar cellSize)
         cellSize_ = size;
         computeLattice();
     }
-}
-
-
-void Foam::immersedBody::check(const frazil::BodyState& state) const
-{
-    if (mag(state.volume - mass_.volume) > volumeTolerance*mass_.volume)
-    {
-        throw frazil::InputError
-        (
-            "constant/couplingProperties",
-            "bodies." + name_ + ".surface",
-            file_,
-            fmt::format
-            (
-                "its volume is {:.9g} m3, but body '{}' of frazilDem has "
-                "{:.9g} m3",
-                mass_.volume, state.name, state.volume
-            ),
-            "Give both programs the same surface, in the same unit of length."
-        );
-    }
-}
-
-
-void Foam::immersedBody::place(const frazil::BodyState& state)
-{
-    centre_ = mass_.centre - state.centroidOffset;
-    pose_ = bodyPose(state);
-}
-
-
-Foam::boundBox Foam::immersedBody::bounds() const
-{
-    const frazil::Box box = lattice_->box();
-    boundBox world(boundBox::invertedBox);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-        const frazil::Vec3 p
-        {
-            corner & 1 ? box.max.x : box.min.x,
-            corner & 2 ? box.max.y : box.min.y,
-            corner & 4 ? box.max.z : box.min.z
-        };
-        world.add(pose_.centre + (pose_.rotation & toVector(p - centre_)));
-    }
-    return world;
 }
 
 

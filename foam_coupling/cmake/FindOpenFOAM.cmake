@@ -69,6 +69,8 @@ foreach(name
         OpenFOAM Pstream finiteVolume fvOptions meshTools sampling surfMesh fileFormats dynamicMesh dynamicFvMesh
         incompressibleTransportModels interfaceProperties twoPhaseMixture immiscibleIncompressibleTwoPhaseMixture
         turbulenceModels incompressibleTurbulenceModels waveModels)
+    # Not from the cache: a build folder that was configured for another OpenFOAM would keep its libraries
+    unset(OpenFOAM_${name}_LIBRARY CACHE)
     find_library(OpenFOAM_${name}_LIBRARY NAMES ${name} PATHS ${libraryHints} ${libraryOptions})
     if(NOT OpenFOAM_${name}_LIBRARY AND NOT name MATCHES "^(twoPhaseMixture|fileFormats)$")
         message(FATAL_ERROR "OpenFOAM's library lib${name}.so is not in ${libraryHints}.\n"

@@ -8,6 +8,44 @@ namespace Foam
 namespace
 {
 
+//- Means over the neighbours on the fluid's side, for closed cells
+template<class Type>
+struct outwardMean
+{
+    const scalarField& closed;
+    Field<Type> sum;
+    scalarField weights;
+
+    explicit outwardMean(const scalarField& closedCells)
+    :
+        closed(closedCells),
+        sum(closedCells.size(), Zero),
+        weights(closedCells.size(), Zero)
+    {}
+
+    //- A neighbour's value; outward: the normal times the area towards it [m2]
+    void take(const label celli, const Type& value, const scalar outward)
+    {
+        if (closed[celli] > 0.5 && outward > 0)
+        {
+            sum[celli] += outward*value;
+            weights[celli] += outward;
+        }
+    }
+
+    void setIn(Field<Type>& values) const
+    {
+        forAll(sum, celli)
+        {
+            if (weights[celli] > 0)
+            {
+                values[celli] = sum[celli]/weights[celli];
+            }
+        }
+    }
+};
+
+
 template<class Type>
 void continueByOneLayer
 (
@@ -18,25 +56,15 @@ void continueByOneLayer
 {
     const fvMesh& mesh = vf.mesh();
     vf.correctBoundaryConditions();
-    Field<Type> sum(mesh.nCells(), Zero);
-    scalarField weights(mesh.nCells(), Zero);
-
-    auto take = [&](const label celli, const Type& value, const scalar outward)
-    {
-        if (closed[celli] > 0.5 && outward > 0)
-        {
-            sum[celli] += outward*value;
-            weights[celli] += outward;
-        }
-    };
+    outwardMean<Type> mean(closed);
 
     for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
     {
         const label own = mesh.owner()[facei];
         const label nei = mesh.neighbour()[facei];
         const vector& S = mesh.Sf()[facei];
-        take(own, vf[nei], normal[own] & S);
-        take(nei, vf[own], -(normal[nei] & S));
+        mean.take(own, vf[nei], normal[own] & S);
+        mean.take(nei, vf[own], -(normal[nei] & S));
     }
     for (const fvPatchField<Type>& pvf : vf.boundaryField())
     {
@@ -46,17 +74,11 @@ void continueByOneLayer
             forAll(other, i)
             {
                 const label celli = pvf.patch().faceCells()[i];
-                take(celli, other[i], normal[celli] & pvf.patch().Sf()[i]);
+                mean.take(celli, other[i], normal[celli] & pvf.patch().Sf()[i]);
             }
         }
     }
-    forAll(sum, celli)
-    {
-        if (weights[celli] > 0)
-        {
-            vf[celli] = sum[celli]/weights[celli];
-        }
-    }
+    mean.setIn(vf.primitiveFieldRef());
 }
 
 } // End anonymous namespace

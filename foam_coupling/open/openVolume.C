@@ -54,15 +54,9 @@ void openVolume::setFaces()
     {
         solid_() == neg(max(start_(), end_()) - divisible);
         faces_() *= bodies_->theta()*(1.0 - faceMax(solid_()));
-        small_() == neg(min(start_(), end_()) - smallCell*(*fluidFraction_));
-        mergeSmallCells
-        (
-            merged_(),
-            min(start_(), end_())/(*fluidFraction_),
-            smallCell,
-            solid_(),
-            bodies_->normal()
-        );
+        const volScalarField least(1.0 - max(bodies_->gamma(), bodies_->gamma().oldTime()));
+        small_() == neg(least - smallCell);
+        mergeSmallCells(merged_(), least, smallCell, solid_(), bodies_->normal());
     }
 }
 
@@ -89,7 +83,20 @@ void openVolume::use
 {
     fluidFraction_ = &fluidFraction;
     bodies_ = bodies;
+    makeFields(phi, rho);
 
+    update();
+    start_() == end_();
+    wholeStep();
+    setFaces();
+    rhoE_() == end_()*rho;
+    rhoE_().oldTime();
+    wholeFlux_().oldTime();
+}
+
+
+void openVolume::makeFields(const surfaceScalarField& phi, const volScalarField& rho)
+{
     const dimensionedScalar one("one", dimless, 1.0);
     epsilon_ = cellField("epsilon", mesh_, one);
     start_ = cellField("epsilonStart", mesh_, one);
@@ -116,14 +123,6 @@ void openVolume::use
             1.0*rho
         )
     );
-
-    update();
-    start_() == end_();
-    wholeStep();
-    setFaces();
-    rhoE_() == end_()*rho;
-    rhoE_().oldTime();
-    wholeFlux_().oldTime();
 }
 
 

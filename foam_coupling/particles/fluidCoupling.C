@@ -6,11 +6,6 @@
 #include "zeroGradientFvPatchFields.H"
 #include "Time.H"
 
-#include <cstddef>
-#include <cstdio>
-#include <cstring>
-#include <stdexcept>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -26,31 +21,6 @@ frazil::Phase phase(const Foam::dictionary& transport, const Foam::label n)
     const scalar rho = dimensionedScalar("rho", dimDensity, dict).value();
     const scalar nu = dimensionedScalar("nu", dimViscosity, dict).value();
     return {rho, rho*nu};
-}
-
-
-//- Loads in the order of our bodies, with the names by which frazilDem finds its own
-std::vector<frazil::BodyLoad> named
-(
-    std::vector<frazil::BodyLoad> loads,
-    const std::vector<frazil::BodyHello>& bodies
-)
-{
-    if (!loads.empty() && loads.size() != bodies.size())
-    {
-        throw std::runtime_error
-        (
-            "there are loads of " + std::to_string(loads.size()) + " bodies, but "
-          + std::to_string(bodies.size()) + " bodies. If uniform/bodyLoads in "
-            "the start time's folder is that of other bodies, remove it"
-        );
-    }
-    for (std::size_t i = 0; i < loads.size(); ++i)
-    {
-        frazil::BodyLoad& load = loads[i];
-        std::snprintf(load.name, sizeof load.name, "%s", bodies[i].name.c_str());
-    }
-    return loads;
 }
 
 } // End anonymous namespace
@@ -101,60 +71,25 @@ Foam::fluidCoupling::fluidCoupling
     mesh_(mesh),
     fluidFraction_
     (
-        IOobject
-        (
-            "fluidFraction",
-            mesh.time().timeName(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
+        IOobject("fluidFraction", mesh.time().timeName(), mesh, IOobject::READ_IF_PRESENT, IOobject::AUTO_WRITE),
         mesh,
         dimensionedScalar("one", dimless, 1.0),
         zeroGradientFvPatchScalarField::typeName
     ),
     reaction_(mesh),
-    bodyLoads_
-    (
-        IOobject
-        (
-            "bodyLoads",
-            mesh.time().timeName(),
-            "uniform",
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        )
-    ),
     fluidFractionRead_(fluidFraction_.headerOk())
 {
     const dictionary bodies(couplingProperties.subOrEmptyDict("bodies"));
     if (!bodies.empty())
     {
-        bodies_.reset(new immersedBodies(mesh, bodies));
-        if (!bodies_->continued())
-        {
-            bodies_->place(loadedStates());
-        }
+        makeBodies(bodies);
     }
 
     const frazil::Settings settings(couplingSettings(couplingProperties));
     settings.has("bodies");  // read above; known, for the message on others
     if (settings.flag("coupling", true))
     {
-        exchange_.reset
-        (
-            new pairExchange
-            (
-                mesh,
-                settings,
-                phase(transportProperties, 0),
-                phase(transportProperties, 1),
-                toVec3(g.value()),
-                bodyHellos()
-            )
-        );
-        exchange_->setBodyLoads(named(loadsRead(), bodyHellos()));
+        makeExchange(settings, transportProperties, g.value());
     }
     else
     {
@@ -171,6 +106,39 @@ Foam::fluidCoupling::~fluidCoupling()
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
+void Foam::fluidCoupling::makeBodies(const dictionary& bodies)
+{
+    bodies_.reset(new immersedBodies(mesh_, bodies));
+    loads_.reset(new heldLoads(mesh_, bodies_->hellos()));
+    if (!bodies_->continued())
+    {
+        bodies_->place(loadedStates());
+    }
+}
+
+
+void Foam::fluidCoupling::makeExchange
+(
+    const frazil::Settings& settings,
+    const dictionary& transportProperties,
+    const vector& g
+)
+{
+    exchange_.reset
+    (
+        new pairExchange
+        (
+            mesh_,
+            settings,
+            phase(transportProperties, 0),
+            phase(transportProperties, 1),
+            toVec3(g),
+            bodies_.valid() ? bodies_->hellos() : std::vector<frazil::BodyHello>()
+        )
+    );
+}
+
+
 std::vector<frazil::BodyState> Foam::fluidCoupling::loadedStates() const
 {
     if (bodies_.valid())
@@ -181,25 +149,16 @@ std::vector<frazil::BodyState> Foam::fluidCoupling::loadedStates() const
 }
 
 
-std::vector<frazil::BodyHello> Foam::fluidCoupling::bodyHellos() const
-{
-    std::vector<frazil::BodyHello> hellos;
-    for (const frazil::BodyState& body : loadedStates())
-    {
-        hellos.push_back({body.name, body.volume});
-    }
-    return hellos;
-}
-
-
 void Foam::fluidCoupling::updateParticles(const flowOnParticles& flow)
 {
     scalarField open;
+    std::vector<frazil::BodyLoad> loads;
     if (bodies_.valid())
     {
         open = 1.0 - bodies_->gamma().primitiveField();
+        loads = loads_->loads();
     }
-    exchange_->advance(flow, open, toVec3(reaction_.ahead()));
+    exchange_->advance(flow, open, toVec3(reaction_.ahead()), loads);
     const frazil::FineSource& source = exchange_->source();
 
     // Trigger the storage of the old value before the new one comes in
@@ -280,31 +239,10 @@ void Foam::fluidCoupling::update(const flowOnParticles& flow)
 
 void Foam::fluidCoupling::endStep(const std::vector<frazil::BodyLoad>& loads)
 {
-    bodyLoads_.setSize(loadWords*label(loads.size()));
-    for (std::size_t i = 0; i < loads.size(); ++i)
+    if (bodies_.valid())
     {
-        std::memcpy(bodyLoads_.data() + loadWords*i, &loads[i], loadWords*sizeof(scalar));
+        loads_->hold(loads);
     }
-    if (exchange_)
-    {
-        exchange_->setBodyLoads(named(loads, bodyHellos()));
-    }
-}
-
-
-std::vector<frazil::BodyLoad> Foam::fluidCoupling::loadsRead() const
-{
-    static_assert
-    (
-        offsetof(frazil::BodyLoad, name) == loadWords*sizeof(scalar),
-        "a load is a row of numbers, then the name"
-    );
-    std::vector<frazil::BodyLoad> loads(bodyLoads_.size()/loadWords);
-    for (std::size_t i = 0; i < loads.size(); ++i)
-    {
-        std::memcpy(static_cast<void*>(&loads[i]), bodyLoads_.cdata() + loadWords*i, loadWords*sizeof(scalar));
-    }
-    return loads;
 }
 
 

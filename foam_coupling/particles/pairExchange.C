@@ -1,15 +1,12 @@
 #include "pairExchange.H"
 #include "coarsePieces.H"
 #include "conversions.H"
-#include "InputError.h"
 #include "Pstream.H"
 #include "Time.H"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -87,78 +84,6 @@ void Foam::pairExchange::cutFineCells()
 }
 
 
-void Foam::pairExchange::openLedger()
-{
-    if (!Pstream::master())
-    {
-        return;
-    }
-
-    const std::string header = frazil::Ledger::csvHeader() + transportLedger::header();
-    std::string before = header;
-    if (restarted_)
-    {
-        std::ifstream file("ledger.csv");
-        std::getline(file, before);
-    }
-    if (before != header)
-    {
-        throw frazil::InputError
-        (
-            "ledger.csv", "", "",
-            "it has other columns than this frazilFoam writes, so that a continued run cannot append to it",
-            "Continue with the program that began the run, or move ledger.csv away"
-        );
-    }
-    ledger_.reset
-    (
-        new OFstream
-        (
-            fileName("ledger.csv"),
-            IOstream::ASCII,
-            IOstream::currentVersion,
-            IOstream::UNCOMPRESSED,
-            restarted_
-        )
-    );
-
-    if (!restarted_)
-    {
-        ledger_() << header.c_str() << endl;
-    }
-}
-
-
-void Foam::pairExchange::writeCoarse()
-{
-    const frazil::CoarseField<double>& solid = step_.solidVolume();
-    const frazil::CoarseField<frazil::CoarseFluid>& fluid = step_.fluid();
-
-    const label owned = step_.cells().ownedCount();
-    std::vector<double> solidFraction(owned), water(owned);
-    std::vector<frazil::Vec3> velocity(owned);
-    for (label cell = 0; cell < owned; ++cell)
-    {
-        solidFraction[cell] = solid[cell]/grid_.cellVolume();
-        water[cell] = fluid[cell].wetFraction();
-        velocity[cell] = fluid[cell].velocity();
-    }
-
-    snapshots_->begin(coarseIndex_, order_.time);
-    snapshots_->coarse
-    (
-        "coarse",
-        grid_,
-        {
-            {"solid fraction", 1, solidFraction.data()},
-            {"water fraction", 1, water.data()},
-            {"velocity", 3, reinterpret_cast<const double*>(velocity.data())}
-        }
-    );
-    snapshots_->end();
-}
-
-
 frazil::StepOrder Foam::pairExchange::order(const scalar deltaT)
 {
     const Time& time = mesh_.time();
@@ -222,49 +147,20 @@ Foam::pairExchange::pairExchange
     step_(settings, grid_, water, air, gravity, frazil::World::instance().own()),
     waterWeight_(water.density*norm(gravity)),
     link_(),
-    restarted_
-    (
-        mesh.time().timeIndex() > 0 && std::filesystem::exists("ledger.csv")
-    ),
-    carriedImpulse_
-    (
-        IOobject
-        (
-            "carriedImpulse",
-            mesh.time().timeName(),
-            "uniform",
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        )
-    ),
+    carried_(mesh),
     startTime_(wallTime())
 {
     const scalar watchdog = settings.positive("watchdog", 600);
     settings.finish();
 
     cutFineCells();
-    takeCarried();
-    step_.setLocator
-    (
-        [&mesh](const frazil::Vec3& p)
-        {
-            return mesh.findCell(point(p.x, p.y, p.z));
-        }
-    );
+    carried_.restore(step_);
+    step_.setLocator([&mesh](const frazil::Vec3& p) { return mesh.findCell(toVector(p)); });
     connect(gravity, bodies, watchdog);
 
-    using frazil::SnapshotFile;
-    snapshots_.reset
-    (
-        new SnapshotFile
-        (
-            "coarse.h5",
-            frazil::World::instance().own(),
-            restarted_ ? SnapshotFile::Mode::append : SnapshotFile::Mode::create
-        )
-    );
-    openLedger();
+    const bool continued = mesh.time().timeIndex() > 0 && std::filesystem::exists("ledger.csv");
+    ledger_.reset(new ledgerFile(continued));
+    snapshots_.reset(new coarseSnapshots(grid_, continued));
 }
 
 
@@ -325,7 +221,8 @@ void Foam::pairExchange::advance
 (
     const flowOnParticles& flow,
     const scalarField& open,
-    const frazil::Vec3& held
+    const frazil::Vec3& held,
+    const std::vector<frazil::BodyLoad>& loads
 )
 {
     const double start = wallTime();
@@ -341,19 +238,15 @@ void Foam::pairExchange::advance
     ledger.held = held;
 
     link_.sendReplies(replies_);
-    link_.sendBodyLoads(bodyLoads_);
+    link_.sendBodyLoads(loads);
 
-    const std::string columns = transport_.line(report_, particles_->view());
-    if (ledger_.valid())
-    {
-        ledger_() << ledger.csvLine(order_.time).c_str() << columns.c_str() << endl;
-    }
-    keepCarried(ledger);
+    ledger_->write(order_.time, ledger, report_, particles_->view());
+    carried_.keep(step_, norm(ledger.unplaced) > 0);
     watchSwing(ledger);
 
     if (writesCoarse_)
     {
-        writeCoarse();
+        snapshots_->write(step_, coarseIndex_, order_.time);
     }
 
     exchangeTime_ += wallTime() - start;
@@ -376,45 +269,6 @@ void Foam::pairExchange::watchSwing(const frazil::Ledger& ledger)
             << "them: stiffer bonds, larger coarse cells or smaller fluid "
             << "steps (dualgrid/doc/stability.md)" << endl;
     }
-}
-
-
-void Foam::pairExchange::keepCarried(const frazil::Ledger& ledger)
-{
-    if (!(norm(ledger.unplaced) > 0))
-    {
-        carriedImpulse_.clear();
-        return;
-    }
-    List<scalarList> rows(Pstream::nProcs());
-    DynamicList<scalar> mine;
-    for (const frazil::CarriedImpulse& waiting : step_.carried())
-    {
-        for (const scalar word : {scalar(waiting.cell), waiting.impulse.x, waiting.impulse.y, waiting.impulse.z})
-        {
-            mine.append(word);
-        }
-    }
-    rows[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(rows);
-    Pstream::scatterList(rows);
-    carriedImpulse_.clear();
-    for (const scalarList& row : rows)
-    {
-        carriedImpulse_.append(row);
-    }
-}
-
-
-void Foam::pairExchange::takeCarried()
-{
-    std::vector<frazil::CarriedImpulse> waiting;
-    for (label row = 0; row + carriedWords <= carriedImpulse_.size(); row += carriedWords)
-    {
-        const scalar* word = carriedImpulse_.cdata() + row;
-        waiting.push_back({std::int64_t(word[0]), {word[1], word[2], word[3]}});
-    }
-    step_.setCarried(waiting);
 }
 
 

@@ -73,27 +73,7 @@ int main(int argc, char *argv[])
 
     while (runTime.run())
     {
-        #include "readDyMControls.H"
-
-        if (LTS)
-        {
-            #include "setRDeltaT.H"
-        }
-        else
-        {
-            #include "CourantNo.H"
-            #include "alphaCourantNo.H"
-            if (open.active())
-            {
-                CoNum = open.courantNumber(phi);
-            }
-            #include "setDeltaT.H"
-            if (coupling.valid() && adjustTimeStep && stepLength::stuck(lastDeltaT, coupling->demDeltaT()))
-            {
-                const scalar courant = lastDeltaT*min(maxCo/(CoNum + SMALL), maxAlphaCo/(alphaCoNum + SMALL));
-                runTime.setDeltaT(stepLength::grown(lastDeltaT, coupling->demDeltaT(), courant, maxDeltaT));
-            }
-        }
+        #include "chooseDeltaT.H"
 
         autoPtr<flowOnParticles> flow;
         if (coupling.valid())

@@ -1,6 +1,6 @@
 /* What fix couple/foam needs of a rigid body that the fluid pushes.
    A body fix derives from this besides Fix; couple/foam finds it by dynamic_cast over modify->fix[],
-   so neither knows the other's class. Cost: one record of 200 bytes per body and fluid step. */
+   so neither knows the other's class. Cost: one record of 190 bytes per body and fluid step. */
 
 #ifndef FRAZIL_COUPLED_BODY_H
 #define FRAZIL_COUPLED_BODY_H
@@ -17,10 +17,13 @@ class CoupledBody
   public:
     virtual ~CoupledBody() {}
 
+    /// Volume of its closed surface [m3], compared with the partner's at the handshake
+    virtual double bodyVolume() const = 0;
+
     /// State at the current DEM step; must be the same on all ranks
     virtual frazil::BodyState bodyState() const = 0;
 
-    /// Force [N], torque about the centre of mass [N m] and wetted fraction, held until the next call;
+    /// Force [N], torque about the centre of mass [N m] and submerged share, held until the next call;
     /// called with the same values on all ranks, once per fluid step
     virtual void setFluidLoad(const frazil::BodyLoad&) = 0;
 };

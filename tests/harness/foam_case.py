@@ -1,4 +1,4 @@
-"""Helpers of the verification scripts: tutorial copies, runs and fields of OpenFOAM, standard library only."""
+"""Helpers of the scripts in foam/: tutorial copies, runs and fields of OpenFOAM, standard library only."""
 
 import os
 import pathlib
@@ -12,12 +12,13 @@ MPIRUN = mpirun.COMMAND
 
 
 def openfoam_root():
-    """Folder that holds src/, applications/ and tutorials/ of OpenFOAM."""
+    """Folder that holds src/, applications/ and tutorials/ of OpenFOAM, chosen as FindOpenFOAM.cmake does: a sourced
+    environment first (the launcher sets FRAZIL_OPENFOAM_ROOT beside it)."""
     env = os.environ
+    if env.get("FOAM_SRC") and env.get("FOAM_LIBBIN"):
+        return pathlib.Path(env["WM_PROJECT_DIR"])
     if env.get("FRAZIL_OPENFOAM_ROOT"):
         return pathlib.Path(env["FRAZIL_OPENFOAM_ROOT"])
-    if env.get("FOAM_SRC"):
-        return pathlib.Path(env["WM_PROJECT_DIR"])
     cache = env.get("XDG_CACHE_HOME") or os.path.join(env["HOME"], ".cache")
     return pathlib.Path(cache) / "frazil" / "openfoam-1912"
 

@@ -7,12 +7,12 @@ Description
     what immersedBodies guarantees, and prints sums that must not depend on the
     number of ranks. Ends with a fatal error at the first broken guarantee.
 
-    -refine: the mesh is treated as new in each step, as after refinement;
-    -volumeFactor f: the partner's bodies have f times our volume
+    -refine: the mesh is treated as new in each step, as after refinement
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
 #include "cpuTime.H"
+#include "follow.H"
 #include "immersedBodies.H"
 #include "bodyCellSize.H"
 #include "syncTools.H"
@@ -136,7 +136,7 @@ void report(const immersedBodies& bodies, const volScalarField& alpha1)
     for (label i = 0; i < bodies.size(); ++i)
     {
         Info<< ' ' << bodies.volume(i) << ' ' << bodies.volumeCut(i)
-            << ' ' << bodies.wetFraction(i, alpha1, vector(0, 0, 1));
+            << ' ' << bodies.submergedShare(i, alpha1, vector(0, 0, 1));
     }
     Info<< endl;
 }
@@ -147,8 +147,7 @@ void run
     Time& runTime,
     const fvMesh& mesh,
     const label steps,
-    const bool refine,
-    const scalar volumeFactor
+    const bool refine
 )
 {
     const IOdictionary properties
@@ -168,7 +167,6 @@ void run
     std::vector<frazil::BodyState> states(bodies.asLoaded());
     for (frazil::BodyState& state : states)
     {
-        state.volume *= volumeFactor;
         state.velocity = toVec3(velocity);
         state.angularVelocity = toVec3(omega);
     }
@@ -193,17 +191,7 @@ void run
         require(max(mag(bodies.gamma().oldTime().primitiveField() - last)) == 0, "old gamma is the last one");
         checkGuarantees(bodies);
         report(bodies, alpha1);
-        for (label i = 0; i < bodies.size(); ++i)
-        {
-            const bodyPose& pose = bodies.pose(i);
-            states[i].centre = toVec3(pose.centre);
-            const quaternion q(pose.rotation);
-            states[i].orientation[0] = q.w();
-            for (direction d = 0; d < 3; ++d)
-            {
-                states[i].orientation[1 + d] = q.v()[d];
-            }
-        }
+        follow(states, bodies);
     }
     const scalarField& gamma = bodies.gamma().primitiveField();
     const scalar nCut = gSum(scalarField(pos(gamma)*pos(1 - gamma)));
@@ -219,7 +207,6 @@ int main(int argc, char* argv[])
 {
     argList::addOption("steps", "N", "steps to take, default 20");
     argList::addBoolOption("refine", "treat the mesh as new in each step");
-    argList::addOption("volumeFactor", "f", "error in the partner's volume");
     #include "setRootCase.H"
     #include "createTime.H"
     #include "createMesh.H"
@@ -233,8 +220,7 @@ int main(int argc, char* argv[])
             runTime,
             mesh,
             args.getOrDefault<label>("steps", 20),
-            args.found("refine"),
-            args.getOrDefault<scalar>("volumeFactor", 1)
+            args.found("refine")
         );
     }
     catch (const std::exception& error)
