@@ -43,25 +43,7 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
-    #include "createTime.H"
-    #include "createDynamicFvMesh.H"
-    #include "initContinuityErrs.H"
-    #include "createDyMControls.H"
-    #include "createFields.H"
-    #include "createAlphaFluxes.H"
-    // Not registered: a refined mesh would map it and warn of it at every change
-    const surfaceScalarField phiAtStart
-    (
-        IOobject("phiAtStart", runTime.timeName(), mesh, IOobject::NO_READ, IOobject::NO_WRITE, false),
-        phi
-    );
-    #include "initCorrectPhi.H"
-    #include "createUfIfPresent.H"
-
-    turbulence->validate();
-    openVolume open(mesh);
-    momentumBudget momentum(open);
-    #include "createCoupling.H"
+    #include "createSolver.H"
 
     if (!LTS)
     {
@@ -92,40 +74,7 @@ int main(int argc, char *argv[])
             open.correctFlux(phi, p_rgh, pimple);
         }
 
-        while (pimple.loop())
-        {
-            if (pimple.firstIter() || moveMeshOuterCorrectors)
-            {
-                #include "moveMesh.H"
-            }
-
-            #include "alphaControls.H"
-            #include "alphaEqnSubCycle.H"
-
-            mixture.correct();
-
-            if (pimple.frozenFlow())
-            {
-                continue;
-            }
-
-            #include "UEqn.H"
-
-            while (pimple.correct())
-            {
-                #include "pEqn.H"
-            }
-
-            if (open.active() && pimple.finalIter())
-            {
-                momentum.evaluate(UEqn, U);
-            }
-
-            if (pimple.turbCorr())
-            {
-                turbulence->correct();
-            }
-        }
+        #include "solveStep.H"
 
         if (coupling.valid())
         {
