@@ -13,7 +13,7 @@ from launcher.say import clock, Failure
 
 from . import result
 from .bonds import Sample, Targets
-from .fit import fit, Round
+from .fit import fit, out_of_reach, Round
 from .options import checked
 from .theory import conflicts, first_guess
 
@@ -53,6 +53,9 @@ def calibrate(options: argparse.Namespace) -> int:
         print(result.table_text(result.rows(targets, one)), flush=True)
 
     rounds = fit(targets, sample, start, options, folder, say)
-    result.write(folder / "calibration.json", targets, rounds, impossible, time.monotonic() - begin)
+    missed = out_of_reach(rounds, targets, options.tolerance)
+    for sentence in missed:
+        print(f"not met, this is the nearest: {sentence}", flush=True)
+    result.write(folder / "calibration.json", targets, rounds, impossible + missed, time.monotonic() - begin)
     print(f"\n{rounds[-1].bonds.script()}\n\nspecimens and calibration.json: {folder}")
     return 0 if max(map(abs, rounds[-1].errors(targets).values())) < options.tolerance else 1

@@ -57,6 +57,18 @@ class Round:
         return min(1.0, max(0.4, math.log(has / had) / steps))
 
 
+def out_of_reach(rounds: list[Round], targets: Targets, tolerance: float) -> list[str]:
+    """What the specimens could not have, a sentence each."""
+    last, found = rounds[-1], []
+    for load, error in last.errors(targets).items():
+        if abs(error) >= tolerance:
+            why = ""
+            if load == lattice.COMPRESSION and len(rounds) > 1 and last.bonds.shear_strength > last.bonds.tensile_strength:
+                why = ": its bonds fail in tension now, by the strength that bending or tension asks for, whatever τc is"
+            found.append(f"{load}: {100 * error:+.1f} % after {len(rounds)} rounds{why}")
+    return found
+
+
 def expected(targets: Targets, sample: Sample, bonds: Bonds) -> dict[str, float]:
     """Strength by load [Pa]: the target, or where it is greater or there is none what the lattice has."""
     ice = lattice.Ice(sample.diameter, sample.density, bonds.young, bonds.stiffness_ratio, bonds.tensile_strength,
