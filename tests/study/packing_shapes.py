@@ -6,6 +6,7 @@ energy but round-off. Equal and graded spheres.
 """
 import math
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -51,15 +52,56 @@ def prism(result):
     result.below("depths in an L, worst error", worst, 1e-12)
 
 
-def cube(result):
-    """A cube of twelve triangles: depth is the distance from the nearest face, negative outside, also beside an edge."""
+def unit_cube():
+    """Its twelve triangles."""
     corner = lambda n: numpy.array([n >> 2 & 1, n >> 1 & 1, n & 1], float)
     quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
-    triangles = [[corner(q[0]), corner(q[i]), corner(q[i + 1])] for q in quads for i in (1, 2)]
-    body = shapes.Surface(triangles)
+    return numpy.array([[corner(q[0]), corner(q[i]), corner(q[i + 1])] for q in quads for i in (1, 2)])
+
+
+def cube(result):
+    """Depth is the distance from the nearest face, negative outside, also beside an edge."""
+    body = shapes.Surface(unit_cube())
     points = numpy.array([(0.5, 0.5, 0.5), (0.1, 0.6, 0.7), (0.5, 0.95, 0.5), (1.3, 1.4, 0.5), (0.5, 0.5, -2.0)])
     expected = (0.5, 0.1, 0.05, -0.5, -2.0)
     result.below("depths in a cube, worst error", numpy.abs(body.depth(points) - expected).max(), 1e-12)
+
+
+def stl(result):
+    """Ascii and binary files have the same triangles; one that is cut off is refused with its name."""
+    triangles = unit_cube()
+    with tempfile.TemporaryDirectory() as scratch:
+        text, binary, cut = (Path(scratch, name) for name in ("text.stl", "binary.stl", "cut.stl"))
+        lines = [f"vertex {x:g} {y:g} {z:g}" for triangle in triangles for x, y, z in triangle]
+        text.write_text("solid cube\n" + "\n".join(lines) + "\nendsolid cube\n")
+        rows = numpy.zeros(len(triangles), numpy.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")]))
+        rows["corners"] = triangles
+        binary.write_bytes(bytes(80) + len(triangles).to_bytes(4, "little") + rows.tobytes())
+        cut.write_bytes(binary.read_bytes()[:-20])
+        for path in (text, binary):
+            result.say(numpy.array_equal(shapes.read_stl(path), triangles), path.name, "12 triangles", "those written")
+        try:
+            shapes.read_stl(cut)
+            said = "accepted"
+        except ValueError as error:
+            said = str(error)
+        result.say("cut.stl: no STL file, or cut off" in said, "half a file", said[-60:], "refused")
+
+
+def filled_by_command(result):
+    """`python3 -m packing` fills a cube of 20 mm from its file; LIGGGHTS's data file and the list hold as much as it says."""
+    with tempfile.TemporaryDirectory() as scratch:
+        path = Path(scratch, "cube.stl")
+        path.write_text("solid cube\n" + "\n".join(f"vertex {x} {y} {z}" for t in 0.02 * unit_cube() for x, y, z in t) + "\n")
+        words = [sys.executable, "-m", "packing", str(Path(scratch, "out")), "--stl", str(path), "--diameter", "0.0024", "--spheres", "300"]
+        said = subprocess.run(words, capture_output=True, text=True)
+        data = Path(scratch, "out/spheres.data").read_text() if said.returncode == 0 else said.stderr
+        spheres = int(said.stdout.split()[0]) if said.returncode == 0 else 0
+        pairs = Path(scratch, "out/bonds.txt").read_text().splitlines() if spheres else []
+        result.say(f"\n{spheres} atoms\n" in data, "spheres of the data file", spheres, "as said")
+        # 62 % of the 20 mm cube, less the layer in which no whole sphere fits
+        result.say(350 < spheres < 0.64 * 0.02**3 / (math.pi / 6 * 0.0024**3), "spheres in the cube", spheres, "350 to 707")
+        result.above("bonds per sphere", 2 * len(pairs) / max(spheres, 1), 4.5)
 
 
 def at_rest(result, name, points, diameters, folder):
@@ -101,6 +143,8 @@ def packed(result, name, diameters):
 result = checks.Checks()
 prism(result)
 cube(result)
+stl(result)
+filled_by_command(result)
 packed(result, "equal", numpy.full(400, 0.0024))
 packed(result, "graded", numpy.linspace(0.002, 0.003, 400))
 result.end()

@@ -66,4 +66,7 @@ def main():
     print(f"{len(points)} spheres, {packed.solid_fraction():.3f} solid inside, {2 * len(pairs) / len(points):.3g} bonds each: {out}")
 
 
-main()
+try:
+    main()
+except (OSError, ValueError, RuntimeError) as error:
+    sys.exit(f"packing: {error}")
