@@ -11,7 +11,6 @@ from pathlib import Path
 from statistics import mean
 
 import lattice
-from launcher.say import Failure
 
 from .bonds import Bonds, Sample, Targets
 from .specimens import Measured, measure, strains
@@ -97,6 +96,4 @@ def fit(targets: Targets, sample: Sample, start: Bonds | None, options, folder: 
         if len(rounds) > 1 and settled(rounds[-2], one, targets, options.tolerance):
             break
         bonds = one.corrected(targets, rounds[-2] if len(rounds) > 1 else None).rounded()
-    if not rounds:
-        raise Failure("--rounds is at least 1.")
     return rounds
