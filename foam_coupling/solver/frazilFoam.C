@@ -45,12 +45,6 @@ int main(int argc, char *argv[])
     #include "setRootCaseLists.H"
     #include "createSolver.H"
 
-    if (!LTS)
-    {
-        #include "CourantNo.H"
-        #include "setInitialDeltaT.H"
-    }
-
     Info<< "\nStarting time loop\n" << endl;
 
     while (runTime.run())
