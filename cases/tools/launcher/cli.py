@@ -67,7 +67,7 @@ def carry_out(run: Run, fresh: bool) -> int:
 def list_of_cases() -> str:
     """Ends the help of `run`: every case with its question."""
     questions = {name: read(find_case(name)).get("question", "") for name in shipped()}
-    return "cases:\n" + "\n".join(f"  {name:<16} {question}" for name, question in questions.items())
+    return "cases:\n" + "\n".join(f"  {name:<20} {question}" for name, question in questions.items())
 
 
 class Parser(argparse.ArgumentParser):
