@@ -37,7 +37,12 @@ class Specimen:
         else:
             from packing import cell, shapes
             half = 0.5 * numpy.array((self.length, self.thickness, self.width))
-            self.points, self.diameters = shapes.fill(shapes.box(-half, half), cell.read(self.packing))
+            try:
+                packed = cell.read(self.packing)
+            except (OSError, ValueError) as error:
+                raise SystemExit(f"packing={self.packing}: {error}. Give {LATTICE}, or the cell.csv that python3 -m packing or "
+                                 "frazil calibrate --packing random leaves.") from None
+            self.points, self.diameters = shapes.fill(shapes.box(-half, half), packed)
             self.pairs = shapes.bonds(self.points, self.diameters)
         return self
 

@@ -34,10 +34,12 @@ class Cell:
 
 
 def read(path):
-    """A cell as `write` leaves it."""
+    """A cell as `write` leaves it. OSError or ValueError on another file."""
     with open(path) as lines:
-        side = float(lines.readline().split()[-1])
-    rows = numpy.loadtxt(path, delimiter=",")
+        first = lines.readline().split()
+    if first[:2] != ["#", "side"]:
+        raise ValueError("no cell of packed spheres: its first line is not '# side LENGTH'")
+    side, rows = float(first[2]), numpy.loadtxt(path, delimiter=",")
     return Cell(rows[:, :3], rows[:, 3], side)
 
 
