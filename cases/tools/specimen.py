@@ -98,10 +98,10 @@ class Curve:
     """dem/curve_<ratio>.csv: stress [Pa] over strain [-], both positive in the direction of the load."""
 
     def __init__(self, run, ratio, sign=1):
-        rows = checks.table(run / f"dem/curve_{folder.text(ratio)}.csv")
-        self.strain = numpy.array(rows["strain"]) * sign
-        self.stress = numpy.array(rows["stress"]) * sign
-        self.broken = numpy.array(rows["broken_tension"]) + numpy.array(rows["broken_shear"])
+        table = checks.table(run / f"dem/curve_{folder.text(ratio)}.csv")
+        self.rows = {name: numpy.array(values) for name, values in table.items()}
+        self.strain, self.stress = self.rows["strain"] * sign, self.rows["stress"] * sign
+        self.broken = self.rows["broken_tension"] + self.rows["broken_shear"]
 
     def first_failure(self):
         """Stress at the last row before a bond is broken; the largest of all if none is."""
@@ -117,10 +117,19 @@ class Curve:
         fallen = fallen[fallen > numpy.argmax(self.broken > 0)] if self.broken.any() else fallen[:0]
         return (largest[fallen[0]], True) if fallen.size else (stress.max(), False)
 
-    def modulus(self):
-        """Slope below a strain of 0.1 % [Pa]: there the contacts take less than 2 % of a pressed specimen's load."""
+    def slope(self, values):
+        """Of values over strain below 0.1 %: there the contacts take less than 2 % of a pressed specimen's load."""
         elastic = (self.strain > 1e-4) & (self.strain < 1e-3) & (self.broken == 0)
-        return numpy.polyfit(self.strain[elastic], self.stress[elastic], 1)[0]
+        return numpy.polyfit(self.strain[elastic], values[elastic], 1)[0]
+
+    def modulus(self):
+        """E [Pa]."""
+        return self.slope(self.stress)
+
+    def poisson(self, direction="across"):
+        """ν of a pulled specimen [-]: across in the plate's plane, which a plate's stiffness in bending, E h³/12(1 - ν²), depends
+        on; through its thickness. From marks on an inner block (in.ice_tension)."""
+        return -self.slope(self.rows[f"strain_{direction}"])
 
 
 def report(run, parameters, load, limits, result, sign=1):
@@ -147,3 +156,17 @@ def report(run, parameters, load, limits, result, sign=1):
     strength = f"{PAPER[load] / 1e6:.3g} MPa" if load in PAPER else "not given"
     print(f"  bulk of the paper's ice: E {PAPER['E'] / 1e9:.3g} GPa, strength in {load} {strength}")
     (run / "strength.csv").write_text("\n".join(lines) + "\n")
+
+
+def report_poisson(run, parameters, result):
+    """Poisson's ratio of a pulled specimen for each ratio, on the screen and against the endless plate's theory.
+
+    Tolerance: the spheres at a free side have lost a third of their bonds, so that their strain across is wrong by up to a third
+    of the largest ν, 1/3. Beside each mark there is one row of them, D/width of the bar."""
+    limit = parameters["sphere_diameter"] / Specimen(parameters).width / 9
+    print("  κ      ν in the plane  theory   ν through the thickness")
+    for ratio in parameters["stiffness_ratios"]:
+        curve, theory = Curve(run, ratio), lattice.Plate(material(parameters, ratio), parameters["layers"]).poisson()
+        print(f"  {ratio:<5g} {curve.poisson():14.4f} {theory:9.4f} {curve.poisson('through'):12.4f}")
+        if parameters["packing"] == LATTICE:
+            result.near(f"Poisson's ratio for κ = {ratio:g}", curve.poisson(), theory, limit)

@@ -20,7 +20,8 @@ def prepare(run, parameters, name, strain_rate):
     numbers = {key: parameters[key] for key in ("bond_young", "tensile_strength", "shear_strength", "bond_damping")}
     numbers.update(schedule(parameters, min(body.diameters), parameters["largest_strain"] / abs(strain_rate), rows=400),
                    strain_rate=strain_rate, skin=0.25 * diameter, bond_words=ice.bond_words(parameters), grip=grip,
-                   mark_inner=0.5 * half - diameter, mark_outer=0.5 * half + diameter, section=body.section,
+                   mark_inner=0.5 * half - diameter, mark_outer=0.5 * half + diameter, side_inner=0.25 * body.width - diameter,
+                   side_outer=0.25 * body.width + diameter, mid_plane=0.1 * diameter, section=body.section,
                    poisson_ratio=[plate.poisson() for plate in ratios])
     folder.copy_dem(SCRIPT, run, numbers, name=name)
     body.write(run / "dem/specimen.data", parameters["ice_density"], margin=0.25 * half)
