@@ -109,13 +109,13 @@ class Curve:
         return self.stress[max(broken[0] - 1, 0)] if broken.size else self.stress.max()
 
     def strength(self):
-        """(largest stress before the load falls by a tenth for the first time, whether it does). The stress is the median of three
-        rows: the shock of a crack throws single ones up by half where the specimen is thin. It costs 0.3 % of a peak."""
-        stress = median_of_three(self.stress)
+        """(largest stress before the load falls by a tenth for the first time or a fifth of the bonds is gone, whether either
+        happens: pressed, spheres of a large κ bear the load by their contacts when the bonds are gone). The stress is the median of
+        three rows: the shock of a crack throws single ones up by half where the specimen is thin. It costs 0.3 % of a peak."""
+        stress, bonds = median_of_three(self.stress), self.rows["bonds_intact"] + self.broken
         largest = numpy.maximum.accumulate(stress)
-        fallen = numpy.flatnonzero(stress < 0.9 * largest)
-        fallen = fallen[fallen > numpy.argmax(self.broken > 0)] if self.broken.any() else fallen[:0]
-        return (largest[fallen[0]], True) if fallen.size else (stress.max(), False)
+        failed = numpy.flatnonzero((self.broken > 0) & (stress < 0.9 * largest) | (self.broken > 0.2 * bonds))
+        return (largest[failed[0]], True) if failed.size else (stress.max(), False)
 
     def slope(self, values):
         """Of values over strain below 0.1 %: there the contacts take less than 2 % of a pressed specimen's load."""
