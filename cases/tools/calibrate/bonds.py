@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Targets:
-    """Bulk values of an ice [Pa]; None where nothing is asked for."""
+    """Bulk values of an ice [Pa], and its Poisson's ratio in the plate's plane [-]; None where nothing is asked for."""
     young: float
     bending: float | None
     compression: float | None
     tension: float | None
+    poisson: float | None = None
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,10 @@ class Bonds:
     friction_angle: float = 0.0
     weibull_modulus: float = 0.0
 
+    def with_ratio(self, ratio: float) -> Bonds:
+        """With another κ."""
+        return dataclasses.replace(self, stiffness_ratio=ratio)
+
     def scaled(self, young: float, tensile: float, shear: float) -> Bonds:
         """With E_b, σc and τc times these factors."""
         return dataclasses.replace(self, young=self.young * young, tensile_strength=self.tensile_strength * tensile,
@@ -32,7 +37,7 @@ class Bonds:
     def rounded(self) -> Bonds:
         """To four digits, so that the numbers shown are those that were measured."""
         return dataclasses.replace(self, **{name: float(f"{getattr(self, name):.4g}")
-                                            for name in ("young", "tensile_strength", "shear_strength")})
+                                            for name in ("young", "stiffness_ratio", "tensile_strength", "shear_strength")})
 
     def script(self) -> str:
         """The command of the input script."""

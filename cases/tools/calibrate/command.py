@@ -15,7 +15,9 @@ from . import result
 from .bonds import Sample, Targets
 from .fit import fit, out_of_reach, Round
 from .options import checked
-from .theory import conflicts, first_guess
+from .theory import conflicts, first_guess, first_ratio
+
+STUDY_RATIO = 2.66  # κ where neither it nor ν is given
 
 
 def sample_of(options: argparse.Namespace, folder: Path) -> Sample:
@@ -33,23 +35,31 @@ def sample_of(options: argparse.Namespace, folder: Path) -> Sample:
     return Sample(options.diameter, options.density, options.layers, str(folder / "cell.csv"))
 
 
+def ratio_of(options: argparse.Namespace) -> float:
+    """κ of the first round: given, or the lattice's with the ν asked for. Failure where that is out of reach."""
+    if options.poisson is None:
+        return options.stiffness_ratio or STUDY_RATIO
+    return first_ratio(options.poisson, Sample(options.diameter, options.density, options.layers, options.packing))
+
+
 def calibrate(options: argparse.Namespace) -> int:
     """Finds the bonds; status 0 if every target is met within the tolerance."""
     checked(options)
-    targets = Targets(options.young, options.bending, options.compression, options.tension)
+    targets = Targets(options.young, options.bending, options.compression, options.tension, options.poisson)
+    ratio = ratio_of(options)
     folder = Path(options.out).resolve() if options.out else free_folder(places.TOP / "runs/calibration")
     if folder.exists() and any(folder.iterdir()):
         raise Failure(f"{folder} holds something already; choose another --out or remove it.")
     sample = sample_of(options, folder)
-    start = first_guess(targets, sample, options.stiffness_ratio, options.friction_angle, options.weibull)
+    start = first_guess(targets, sample, ratio, options.friction_angle, options.weibull)
     impossible = conflicts(targets, start, sample)
     for sentence in impossible:
         print(f"cannot be met together: {sentence}", flush=True)
     begin = time.monotonic()
 
     def say(number: int, one: Round) -> None:
-        print(f"round {number}, {clock(time.monotonic() - begin)}: E_b {one.bonds.young:.4g} Pa, σc "
-              f"{one.bonds.tensile_strength:.4g} Pa, τc {one.bonds.shear_strength:.4g} Pa")
+        print(f"round {number}, {clock(time.monotonic() - begin)}: E_b {one.bonds.young:.4g} Pa, κ "
+              f"{one.bonds.stiffness_ratio:.4g}, σc {one.bonds.tensile_strength:.4g} Pa, τc {one.bonds.shear_strength:.4g} Pa")
         print(result.table_text(result.rows(targets, one)), flush=True)
 
     rounds = fit(targets, sample, start, options, folder, say)

@@ -16,8 +16,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     number("--tension", type=float, metavar="PA", help="its strength in tension")
     number("--diameter", type=float, default=0.0024, metavar="M", help="of the spheres (0.0024)")
     number("--layers", type=int, default=8, help="of spheres through the ice (8)")
+    number("--poisson", type=float, metavar="NU", help="its Poisson's ratio in the plane, by which kn/ks is found")
     number("--density", type=float, default=900.0, metavar="KG/M3", help="of the spheres (900)")
-    number("--stiffness-ratio", type=float, default=2.66, metavar="K", help="of the bonds, kn/ks (2.66)")
+    number("--stiffness-ratio", type=float, metavar="K", help="of the bonds, kn/ks, in place of --poisson (2.66)")
     number("--friction-angle", type=float, default=0.0, metavar="DEG", help="of the bonds (0)")
     number("--weibull", type=float, default=0.0, metavar="M", help="modulus of the scatter of the bonds' strengths (0: none)")
     number("--seeds", type=int, default=1, help="specimens per load, each with other strengths (1)")
@@ -36,13 +37,15 @@ def refuse(key: str, value: object, problem: str) -> None:
 
 def checked(options: argparse.Namespace) -> None:
     """Numbers finite and in their ranges; Failure names the option."""
-    for key in ("young", "bending", "compression", "tension", "diameter", "density", "stiffness_ratio", "tolerance"):
+    for key in ("young", "bending", "compression", "tension", "diameter", "density", "poisson", "stiffness_ratio", "tolerance"):
         value = getattr(options, key)
         if value is not None and not (math.isfinite(value) and value > 0):
             refuse(key.replace("_", "-"), value, "give a number above 0.")
     for key in ("layers", "seeds", "rounds"):
         if getattr(options, key) < 1:
             refuse(key, getattr(options, key), "give 1 or more.")
+    if options.poisson and options.stiffness_ratio:
+        refuse("poisson", options.poisson, "the bonds' kn/ks is found by it; leave out --stiffness-ratio.")
     if not 0 <= options.friction_angle < 90:
         refuse("friction-angle", options.friction_angle, "give 0 or more, below 90 degrees.")
     if not (math.isfinite(options.weibull) and options.weibull >= 0):

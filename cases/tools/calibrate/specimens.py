@@ -24,10 +24,13 @@ SHEARING = 1.25  # deflection of a beam over that by bending alone, and a margin
 
 @dataclass(frozen=True)
 class Measured:
-    """Of one specimen: E [Pa], strength [Pa], the largest load if it did not fail."""
+    """Of one specimen: E [Pa], strength [Pa], the largest load if it did not fail; pulled, its ν in the plate's plane and through
+    the thickness [-]."""
     young: float
     strength: float
     fails: bool
+    poisson: float | None = None
+    poisson_through: float | None = None
 
 
 def strains(targets: Targets, expected: dict[str, float]) -> dict[str, float]:
@@ -62,7 +65,8 @@ def carry_out(load: str, words: dict, folder: Path) -> Measured:
     finally:
         process.terminate()
     curve = Curve(run.folder, words["stiffness_ratios"][0], -1 if load == lattice.COMPRESSION else 1)
-    return Measured(curve.modulus(), *curve.strength())
+    lateral = (curve.poisson(), curve.poisson("through")) if load == lattice.TENSION else ()
+    return Measured(curve.modulus(), *curve.strength(), *lateral)
 
 
 def measure(bonds: Bonds, sample: Sample, strain: dict[str, float], seeds: int, folder: Path) -> dict[str, list[Measured]]:

@@ -1,19 +1,64 @@
-"""The closed form of the endless lattice (lattice.py) as a first guess, and what no bonds can have together."""
+"""The closed form of the endless lattice (lattice.py), or what random packings have been seen to have, as a first guess and for the
+change with κ; and what no bonds can have together."""
 from __future__ import annotations
 
 import math
 
 import lattice
+from launcher.say import Failure
 
 from .bonds import Bonds, Sample, Targets
 
 LARGE = 1e6   # a strength over the other one that never decides
-RANDOM = 0.4  # stiffness and strengths of a random packing over those of the lattice, roughly: seven bonds in place of twelve
+RATIOS = (1.0, 50.0)  # κ is looked for between them: at 1 the lattice has ν = 0, at 50 all but 0.015 of the 1/3 that it tends to
+SPREAD = 0.03  # ν of a random packing may differ by so much from the lattice's with the same κ
+# A random packing, as its specimens of 8 layers have it: E over E_b, strength over σc, in compression over τc are c κ^n. (c, n):
+RANDOM = {"young": (0.68, -0.37), lattice.TENSION: (0.42, -0.18), lattice.BENDING: (0.42, -0.18), lattice.COMPRESSION: (0.7, 0.35)}
+SHARE = 0.25  # no strength of a random packing is greater than this times the lattice's: seven bonds in place of twelve
 
 
 def plate(sample: Sample, ratio: float, tensile: float, shear: float, angle: float) -> lattice.Plate:
     """The endless plate with E_b = 1 Pa."""
     return lattice.Plate(lattice.Ice(sample.diameter, sample.density, 1.0, ratio, tensile, shear, angle), sample.layers)
+
+
+def poisson(sample: Sample, ratio: float) -> float:
+    """ν of the lattice in the plate's plane [-]."""
+    return plate(sample, ratio, LARGE, LARGE, 0.0).poisson()
+
+
+def ratio_for(value: float, sample: Sample) -> float:
+    """κ with which the lattice has this ν, which rises with κ; the nearer end of RATIOS where none of them has it."""
+    from scipy.optimize import brentq
+    low, high = (poisson(sample, ratio) for ratio in RATIOS)
+    if not low < value < high:
+        return RATIOS[0] if value <= low else RATIOS[1]
+    return brentq(lambda ratio: poisson(sample, ratio) - value, *RATIOS, rtol=1e-6)
+
+
+def reachable(sample: Sample) -> tuple[float, float]:
+    """Least and largest ν that κ in RATIOS may give [-]."""
+    low, high = (poisson(sample, ratio) for ratio in RATIOS)
+    return (low, high) if sample.lattice() else (low, high + SPREAD)
+
+
+def first_ratio(value: float, sample: Sample) -> float:
+    """κ of the lattice with this ν; Failure where it is out of reach."""
+    low, high = reachable(sample)
+    if not low <= value <= high:
+        raise Failure(f"--poisson {value:g}: bonds with kn/ks from {RATIOS[0]:g} to {RATIOS[1]:g} give the {sample.layers} layers "
+                      f"ν from {low:.3f} to {'' if sample.lattice() else 'about '}{high:.3f}; give a number between.")
+    return ratio_for(value, sample)
+
+
+def per_bond(sample: Sample, ratio: float, angle: float) -> dict[str, float]:
+    """E over E_b, strength in tension and bending over σc, in compression over τc [-]: of the lattice, each mode of failure by
+    itself, or of a random packing, roughly."""
+    if not sample.lattice():
+        return {name: factor * ratio**power for name, (factor, power) in RANDOM.items()}
+    pulled, pressed = plate(sample, ratio, 1.0, LARGE, 0.0), plate(sample, ratio, LARGE, 1.0, angle)
+    return {"young": pulled.young(), lattice.COMPRESSION: pressed.first_failure(lattice.COMPRESSION)[0],
+            **{load: pulled.first_failure(load)[0] for load in (lattice.TENSION, lattice.BENDING)}}
 
 
 def shared(wanted: list[tuple[float, float]]) -> float:
@@ -30,19 +75,14 @@ def asked(targets: Targets, values: dict[str, float], *loads: str) -> list[tuple
 
 
 def first_guess(targets: Targets, sample: Sample, ratio: float, angle: float, modulus: float) -> Bonds:
-    """Bonds of a perfect lattice with these bulk values, each mode of failure by itself."""
-    loads = (lattice.TENSION, lattice.COMPRESSION, lattice.BENDING)
-    pulled, sheared = plate(sample, ratio, 1.0, LARGE, 0.0), plate(sample, ratio, LARGE, 1.0, angle)
-    by_tension = {load: pulled.first_failure(load)[0] for load in loads}
-    by_shear = {load: sheared.first_failure(load)[0] for load in loads}
-    pull = asked(targets, by_tension, lattice.BENDING, lattice.TENSION)
-    press = asked(targets, by_shear, lattice.COMPRESSION)
+    """Bonds with these bulk values, each mode of failure by itself."""
+    has = per_bond(sample, ratio, angle)
+    pull, press = asked(targets, has, lattice.BENDING, lattice.TENSION), asked(targets, has, lattice.COMPRESSION)
     tensile, shear = shared(pull) if pull else None, shared(press) if press else None
     # Without a target for one of the strengths the study's τc/σc = 2/3
     if tensile is None and shear is None:
         tensile = shear = LARGE * targets.young
-    bonds = Bonds(targets.young / pulled.young(), ratio, tensile or 1.5 * shear, shear or tensile / 1.5, angle, modulus)
-    return bonds if sample.lattice() else bonds.scaled(*3 * (1 / RANDOM,))
+    return Bonds(targets.young / has["young"], ratio, tensile or 1.5 * shear, shear or tensile / 1.5, angle, modulus)
 
 
 def conflicts(targets: Targets, bonds: Bonds, sample: Sample) -> list[str]:
