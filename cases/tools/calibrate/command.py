@@ -13,7 +13,7 @@ from launcher.say import clock, Failure
 
 from . import result
 from .bonds import Sample, Targets
-from .fit import fit, out_of_reach, Round
+from .fit import fit, nearest, out_of_reach, Round
 from .options import checked
 from .theory import conflicts, first_guess, first_ratio
 
@@ -63,9 +63,9 @@ def calibrate(options: argparse.Namespace) -> int:
         print(result.table_text(result.rows(targets, one)), flush=True)
 
     rounds = fit(targets, sample, start, options, folder, say)
-    missed = out_of_reach(rounds, targets, options.tolerance)
+    best, missed = nearest(rounds, targets, options.tolerance), out_of_reach(rounds, targets, sample, options.tolerance)
     for sentence in missed:
-        print(f"not met, this is the nearest: {sentence}", flush=True)
-    result.write(folder / "calibration.json", targets, rounds, impossible + missed, time.monotonic() - begin)
-    print(f"\n{rounds[-1].bonds.script()}\n\nspecimens and calibration.json: {folder}")
-    return 0 if max(map(abs, rounds[-1].errors(targets).values())) < options.tolerance else 1
+        print(f"not met, round {rounds.index(best) + 1} is the nearest: {sentence}", flush=True)
+    result.write(folder / "calibration.json", targets, rounds, best, impossible + missed, time.monotonic() - begin)
+    print(f"\n{best.bonds.script()}\n\nspecimens and calibration.json: {folder}")
+    return 1 if missed else 0

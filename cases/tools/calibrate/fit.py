@@ -57,7 +57,8 @@ class Round:
         has = self.with_ratio(ratio, sample)
         pull = asked(targets, has, lattice.BENDING, lattice.TENSION)
         press = asked(targets, has, lattice.COMPRESSION)
-        factor = shared(press) ** (1 / self.answer(sample, before)) if press else 1.0
+        answer = self.answer(sample, before)
+        factor = shared(press) ** (1 / answer) if press and answer else 1.0
         return self.bonds.with_ratio(ratio).scaled(targets.young / has["young"], shared(pull) if pull else 1.0, factor)
 
     def next_ratio(self, target: float, sample: Sample, before: Round | None) -> float:
@@ -70,23 +71,32 @@ class Round:
         return ratio_for(theory + (target - self.poisson()) / rise, sample)
 
     def answer(self, sample: Sample, before: Round | None) -> float:
-        """d ln(strength in compression)/d ln(τc) between two rounds [-], within 0.4 to 1; 1 where τc has hardly changed."""
+        """d ln(strength in compression)/d ln(τc) between two rounds [-], within 0.4 to 1; 1 where τc has hardly changed, 0 where
+        the strength has not answered."""
         steps = math.log(self.bonds.shear_strength / before.bonds.shear_strength) if before else 0.0
         if abs(steps) < 0.1:
             return 1.0
         has, had = (one.with_ratio(self.bonds.stiffness_ratio, sample)[lattice.COMPRESSION] for one in (self, before))
-        return min(1.0, max(0.4, math.log(has / had) / steps))
+        rise = math.log(has / had) / steps
+        return min(1.0, max(0.4, rise)) if rise > 0.1 else 0.0
 
 
-def out_of_reach(rounds: list[Round], targets: Targets, tolerance: float) -> list[str]:
+def nearest(rounds: list[Round], targets: Targets, tolerance: float) -> Round:
+    """The round that misses the fewest targets; of several the one whose largest error is the least."""
+    errors = lambda one: [abs(error) for error in one.errors(targets).values()]
+    return min(rounds, key=lambda one: (sum(error >= tolerance for error in errors(one)), max(errors(one))))
+
+
+def out_of_reach(rounds: list[Round], targets: Targets, sample: Sample, tolerance: float) -> list[str]:
     """What the specimens could not have, a sentence each."""
-    last, found = rounds[-1], []
-    for load, error in last.errors(targets).items():
+    best, found = nearest(rounds, targets, tolerance), []
+    unanswered = any(after.answer(sample, before) == 0 for before, after in zip(rounds, rounds[1:]))
+    for load, error in best.errors(targets).items():
         if abs(error) >= tolerance:
             why = ""
-            if load == lattice.COMPRESSION and len(rounds) > 1 and last.bonds.shear_strength > last.bonds.tensile_strength:
+            if load == lattice.COMPRESSION and (unanswered or best.bonds.shear_strength > best.bonds.tensile_strength):
                 why = ": its bonds fail in tension now, by the strength that bending or tension asks for, whatever τc is"
-            if load == "poisson" and last.bonds.stiffness_ratio in RATIOS:
+            if load == "poisson" and best.bonds.stiffness_ratio in RATIOS:
                 why = f": κ is at the end of its range, {RATIOS[0]:g} to {RATIOS[1]:g}"
             found.append(f"{load}: {100 * error:+.1f} % after {len(rounds)} rounds{why}")
     return found
@@ -108,7 +118,7 @@ def settled(before: Round, after: Round, targets: Targets, tolerance: float) -> 
 
 
 def fit(targets: Targets, sample: Sample, start: Bonds, options, folder: Path, say) -> list[Round]:
-    """All rounds; the last one has the bonds looked for. say(round number, round) is called after each."""
+    """All rounds; if all targets can be met, the last one has them. say(round number, round) is called after each."""
     bonds = start.rounded()
     rounds: list[Round] = []
     while len(rounds) < options.rounds:

@@ -42,10 +42,9 @@ def table_text(table: list[dict]) -> str:
     return "\n".join(lines)
 
 
-def write(path: Path, targets: Targets, rounds: list[Round], conflicts: list[str], seconds: float) -> None:
+def write(path: Path, targets: Targets, rounds: list[Round], best: Round, conflicts: list[str], seconds: float) -> None:
     """calibration.json: the bonds, the table, how it came about."""
-    last = rounds[-1]
     path.write_text(json.dumps({
-        "bonds": dataclasses.asdict(last.bonds), "table": rows(targets, last), "conflicts": conflicts,
+        "bonds": dataclasses.asdict(best.bonds), "table": rows(targets, best), "conflicts": conflicts,
         "rounds": [{"bonds": dataclasses.asdict(one.bonds), "errors": one.errors(targets)} for one in rounds],
         "wall_seconds": round(seconds, 1)}, indent=2) + "\n")
