@@ -136,8 +136,8 @@ class Local(unittest.TestCase):
         code, said = small.run()
         self.assertEqual(code, 1)
         self.assertRegex(said, r"a sweep of this study is going on.* with `kill -INT -- -\d+`")
-        first.communicate(timeout=120)
-        self.assertEqual(first.returncode, 0)
+        said, _ = first.communicate(timeout=120)
+        self.assertEqual(first.returncode, 0, said)
 
 
 if __name__ == "__main__":
