@@ -165,8 +165,9 @@ def refused(result):
                         (["--bending", "1e6", "--friction-angle", "90"], "below 90"),
                         (["--bending", "1e6", "--poisson", "-0.1"], "--poisson -0.1: give a number above 0"),
                         (["--bending", "1e6", "--poisson", "0.33"],
-                         "--poisson 0.33: bonds with kn/ks from 1 to 50 give the 8 layers ν from 0.000 to 0.319"),
-                        (["--bending", "1e6", "--poisson", "0.4", "--packing", "random"], "ν from 0.000 to about 0.349"),
+                         "--poisson 0.33: bonds with kn/ks from 1 to 50 give the 8 layers ν from 0.020 to 0.319"),
+                        (["--bending", "1e6", "--poisson", "1e-9"], "ν from 0.020 to 0.319"),
+                        (["--bending", "1e6", "--poisson", "0.4", "--packing", "random"], "ν from 0.020 to about 0.349"),
                         (["--bending", "1e6", "--poisson", "0.3", "--stiffness-ratio", "3"], "leave out --stiffness-ratio")):
         code = "import sys; from calibrate.command import calibrate; from calibrate.options import add_options; import argparse\n" \
                "p = argparse.ArgumentParser(); add_options(p); calibrate(p.parse_args(sys.argv[1:]))"

@@ -11,6 +11,7 @@ from .bonds import Bonds, Sample, Targets
 
 LARGE = 1e6   # a strength over the other one that never decides
 RATIOS = (1.0, 50.0)  # κ is looked for between them: at 1 the lattice has ν = 0, at 50 all but 0.015 of the 1/3 that it tends to
+LEAST = 0.02  # ν that can be asked for: the specimens measure it to 0.0002, one per cent of this
 SPREAD = 0.03  # ν of a random packing may differ by so much from the lattice's with the same κ
 # A random packing, as its specimens of 8 layers have it: E over E_b, strength over σc, in compression over τc are c κ^n. (c, n):
 RANDOM = {"young": (0.68, -0.37), lattice.TENSION: (0.42, -0.18), lattice.BENDING: (0.42, -0.18), lattice.COMPRESSION: (0.7, 0.35)}
@@ -37,9 +38,9 @@ def ratio_for(value: float, sample: Sample) -> float:
 
 
 def reachable(sample: Sample) -> tuple[float, float]:
-    """Least and largest ν that κ in RATIOS may give [-]."""
+    """Least and largest ν that can be asked for [-]: κ in RATIOS may give it, and a specimen can tell it from 0."""
     low, high = (poisson(sample, ratio) for ratio in RATIOS)
-    return (low, high) if sample.lattice() else (low, high + SPREAD)
+    return max(low, LEAST), high if sample.lattice() else high + SPREAD
 
 
 def first_ratio(value: float, sample: Sample) -> float:
